@@ -1,0 +1,24 @@
+#include "first_contact/geometry/mesh.hpp"
+
+#include <string>
+#include <utility>
+
+namespace first_contact {
+
+Mesh::Mesh(std::vector<Point> vertices, std::vector<Face> faces)
+    : vertices_(std::move(vertices)), faces_(std::move(faces)) {
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    if (!vertices_[i].allFinite()) require_finite(vertices_[i], "mesh's vertex " + std::to_string(i));
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+    for (const std::uint32_t vertex : faces_[i])
+      if (vertex >= vertices_.size())
+        throw std::invalid_argument("mesh's face " + std::to_string(i) + " names vertex " + std::to_string(vertex) +
+                                    ": must be below " + std::to_string(vertices_.size()));
+}
+
+Triangle Mesh::triangle(std::size_t i) const {
+  const Face& face = faces_[i];
+  return {vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
+}
+
+}  // namespace first_contact

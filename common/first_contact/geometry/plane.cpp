@@ -1,0 +1,26 @@
+#include "first_contact/geometry/plane.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace first_contact {
+
+Plane::Plane(const Vector& normal, double offset) {
+  const double length = normal.stableNorm();
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset)) {
+    std::ostringstream message;
+    message << "plane [" << to_text(normal) << ", " << offset << "]: the normal must be finite and not zero";
+    throw std::invalid_argument(message.str());
+  }
+  coefficients_ << normal / length, offset / length;
+}
+
+Plane Plane::through(const Point& point, const Vector& normal) { return {normal, -normal.dot(point)}; }
+
+Plane Plane::moved_out(double distance) const {
+  Plane moved = *this;
+  moved.coefficients_.w() -= distance;
+  return moved;
+}
+
+}  // namespace first_contact

@@ -1,0 +1,68 @@
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+#include "first_contact/geometry/space.hpp"
+
+/// \file
+/// One verb, one answer: `sweep(moving, obstacle)` gives the first contact of a motion, if there is one.
+///
+/// The contract of every sweep:
+/// - Motion is S(t) = S0 + t V for t in [0, 1]; lengths are in one unit of the caller's choice.
+/// - Apart at 0: the first t in [0, 1] at which the distance is 0, or nothing.
+/// - Touching at 0: a contact at t = 0 if approaching (V.N < 0), nothing if sliding along or leaving.
+/// - Overlapping at 0: a contact at t = 0 if going deeper, nothing if leaving (so that one can get out). Against a
+///   mesh this is judged feature by feature, for each face, edge and vertex that is nearer to the centre than what of
+///   the surface lies around it. A centre on the obstacle itself has no normal of its own: it is against the motion.
+/// - No motion: nothing. `overlap(a, b)` answers the static question. A sphere of radius 0 is a point.
+/// - The smallest t wins; of equal t, the face before the edge before the vertex, as the paper orders its tests (2.1).
+/// - Surfaces have two sides unless the caller says otherwise.
+/// - No hit is ever missed for rounding. The error of t has a bound, stated with each sweep.
+/// - Bad shapes and motions are refused when they are made; a sweep itself never throws.
+
+namespace first_contact {
+
+/// A shape at t = 0 and its displacement V over t in [0, 1].
+template <class Shape>
+struct Moving {
+  /// \throws std::invalid_argument if the displacement is not finite.
+  Moving(Shape s, const Vector& v) : shape(std::move(s)), displacement(v) {
+    require_finite(displacement, "displacement");
+  }
+
+  Shape shape;
+  Vector displacement;
+};
+
+/// What of a polyhedron is touched. A plane and a sphere have but one smooth face.
+enum class Feature { face, edge, vertex };
+
+/// "face", "edge" or "vertex".
+constexpr const char* to_string(Feature feature) {
+  return feature == Feature::face ? "face" : feature == Feature::edge ? "edge" : "vertex";
+}
+
+inline std::ostream& operator<<(std::ostream& out, Feature feature) { return out << to_string(feature); }
+
+/// The points of one contact, one a column: 1 as a rule; 2 or 4 when a box lands on an edge or a face.
+using ContactPoints = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 4>;
+
+/// The number of no triangle.
+inline constexpr std::size_t no_triangle = std::numeric_limits<std::size_t>::max();
+
+/// The first contact of a sweep.
+struct Contact {
+  double time;                         ///< t in [0, 1] (or in the interval that was asked for)
+  ContactPoints points;                ///< on the obstacle, at that time
+  Vector normal;                       ///< unit, from the obstacle to the mover, at that time
+  Feature feature;                     ///< what of the polyhedron is touched
+  std::size_t triangle = no_triangle;  ///< of a mesh: the touched triangle, the lowest number if several share it
+
+  /// The one point of the contact; of an edge or a face, its middle.
+  Point point() const { return points.rowwise().mean(); }
+};
+
+}  // namespace first_contact
