@@ -1,7 +1,6 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include "first_contact/geometry/closest_point.hpp"
@@ -12,17 +11,6 @@
 namespace first_contact {
 
 namespace {
-
-/// The smallest time wins; of equal times the face before the edge before the vertex, and then what is
-/// nearer. Beyond that any fixed order will do that does not depend on the numbers of the triangles.
-bool earlier(const Touch& a, const Touch& b) {
-  const auto key = [](const Touch& touch) {
-    return std::make_tuple(touch.time, touch.feature, touch.distance);
-  };
-  if (key(a) != key(b)) return key(a) < key(b);
-  if (a.point != b.point) return comes_before(a.point, b.point);
-  return comes_before(a.normal, b.normal);
-}
 
 /// A search for the first contact of one sphere among the features of an environment, in whatever order they
 /// come.
