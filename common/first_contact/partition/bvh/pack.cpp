@@ -1,0 +1,206 @@
+#include "first_contact/partition/bvh/pack.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "first_contact/partition/bvh/collapse.hpp"
+
+namespace first_contact::bvh {
+
+namespace {
+
+/// The slabs of larger parts of a mesh are as thick as their boxes.
+constexpr std::uint32_t most_in_a_slab = 64;
+/// A unit smaller than this is not needed: the error of a position in the tree's unit is larger.
+constexpr int smallest_exponent = -100;
+
+class Packer {
+ public:
+  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Neighbours& around)
+      : tree_(from), mesh_(surface), space_(unit), neighbours_(around), collapse_(from.branches) {}
+
+  PackedTree pack();
+
+ private:
+  const Branch& branch(std::uint32_t number) const { return tree_.branches[number]; }
+  Point vertex(std::uint32_t number) const { return space_.point(mesh_.vertices()[number]); }
+  const Mesh::Face& face(std::uint32_t place) const { return mesh_.faces()[tree_.order[place]]; }
+
+  std::uint32_t add_leaf(const Branch& leaf);
+  void write_node(std::uint32_t number, std::uint32_t at);
+  void write_children(Node& node, const Cover& cover);
+  void write_slab(Node& node, std::size_t j, const Branch& child) const;
+  Vector area_vector(const Branch& part) const;
+
+  const BinaryTree& tree_;
+  const Mesh& mesh_;
+  const Space& space_;
+  const Neighbours& neighbours_;
+  Collapse collapse_;
+  PackedTree result_;
+  std::size_t leaf_count_ = 0;
+};
+
+/// The different vertices of a leaf, and which of them the corners of its triangles are.
+struct LeafVertices {
+  std::array<std::uint32_t, most_vertices> number;
+  std::size_t count = 0;
+
+  std::uint32_t place_of(std::uint32_t vertex) {
+    const auto end = number.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto found = std::find(number.begin(), end, vertex);
+    if (found == end) number[count++] = vertex;
+    return static_cast<std::uint32_t>(found - number.begin());
+  }
+};
+
+/// Gives the leaf's place, in units.
+std::uint32_t Packer::add_leaf(const Branch& leaf) {
+  LeafHead head{};
+  LeafVertices vertices;
+  head.first = leaf.first;
+  head.triangles = static_cast<std::uint8_t>(leaf.count);
+  for (std::uint32_t j = 0; j < leaf.count; ++j) {
+    const Mesh::Face corners = neighbours_.corners(face(leaf.first + j));
+    for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(corners[i]) << 4 * j;
+  }
+  head.vertices = static_cast<std::uint8_t>(vertices.count);
+
+  std::array<Vector, most_vertices> position;
+  double reach = 0;
+  for (std::size_t i = 0; i < 3; ++i) head.origin[i] = (leaf.low[i] + leaf.high[i]) / 2;
+  for (std::size_t v = 0; v < vertices.count; ++v) {
+    position[v] = vertex(vertices.number[v]) - Point(head.origin[0], head.origin[1], head.origin[2]);
+    reach = std::max(reach, position[v].cwiseAbs().maxCoeff());
+  }
+  int exponent = 0;
+  std::frexp(reach, &exponent);
+  head.exponent = static_cast<std::int16_t>(std::max(exponent, smallest_exponent));
+
+  const std::size_t size = sizeof head + 3 * sizeof(float) * vertices.count;
+  const std::size_t at = result_.leaves.size();
+  result_.leaves.resize(at + (size + leaf_unit - 1) / leaf_unit * leaf_unit);
+  unsigned char* out = &result_.leaves[at];
+  std::memcpy(out, &head, sizeof head);
+  out += sizeof head;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (std::size_t v = 0; v < vertices.count; ++v, out += sizeof(float)) {
+      const auto coordinate = static_cast<float>(std::ldexp(position[v][i], -head.exponent));
+      std::memcpy(out, &coordinate, sizeof coordinate);
+    }
+  ++leaf_count_;
+  const Floats4 extent = leaf.high - leaf.low;
+  result_.leaf_size += std::max({extent[0], extent[1], extent[2]});
+  return static_cast<std::uint32_t>(at / leaf_unit);
+}
+
+Vector Packer::area_vector(const Branch& part) const {
+  Vector sum = Vector::Zero();
+  for (std::uint32_t j = part.first; j < part.first + part.count; ++j) {
+    const Mesh::Face& corners = face(j);
+    const Point a = vertex(corners[0]);
+    sum += (vertex(corners[1]) - a).cross(vertex(corners[2]) - a);
+  }
+  return sum;
+}
+
+//! [slab]
+/// The slab of a child along its mean normal n, which is stored in 127ths. Heights n.(x - origin) are between -half and half,
+/// and are stored in 65,535ths of that.
+void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
+  node.slab[1][j] = 65535;
+  const double half = 255.0 * (double{node.step[0]} + double{node.step[1]} + double{node.step[2]});
+  if (child.count > most_in_a_slab || !(half > 0)) return;
+  const Vector area = area_vector(child);
+  const double length = area.norm();
+  if (!(length > 0)) return;
+  Vector normal;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    node.normal[i][j] = static_cast<std::int8_t>(127 * area[k] / length);
+    normal[k] = node.normal[i][j] / 127.0;
+  }
+  double low = half, high = -half;
+  const Point origin(node.origin[0], node.origin[1], node.origin[2]);
+  for (std::uint32_t place = child.first; place < child.first + child.count; ++place)
+    for (const std::uint32_t corner : face(place)) {
+      const double height = normal.dot(vertex(corner) - origin);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+  const auto step_at = [&](double height) { return (height / half + 1) * (65535 / 2.0); };
+  node.slab[0][j] = static_cast<std::uint16_t>(std::clamp(std::floor(step_at(low) - 1e-3), 0.0, 65535.0));
+  node.slab[1][j] = static_cast<std::uint16_t>(std::clamp(std::ceil(step_at(high) + 1e-3), 0.0, 65535.0));
+}
+//! [slab]
+
+/// Origin and steps of a node, and the boxes of its children in these steps, rounded outward.
+void write_boxes(Node& node, const Branch& whole, const std::vector<Branch>& branches, const Cover& cover) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double origin = whole.low[i], extent = whole.high[i] - origin;
+    int exponent = 0;
+    std::frexp(extent / 255, &exponent);
+    const double step = extent > 0 ? std::ldexp(1.0, exponent) : 0;
+    node.origin[i] = whole.low[i];
+    node.step[i] = static_cast<float>(step);
+    for (std::size_t j = 0; j < width; ++j) {
+      if (step == 0 || j >= static_cast<std::size_t>(cover.count)) continue;
+      const Branch& child = branches[cover.branch[j]];
+      node.low[i][j] = static_cast<std::uint8_t>(std::floor((child.low[i] - origin) / step));
+      node.high[i][j] = static_cast<std::uint8_t>(std::ceil((child.high[i] - origin) / step));
+    }
+  }
+}
+
+/// Leaves that are children of one node lie together, and so do its inner children; these are written after all of them.
+void Packer::write_children(Node& node, const Cover& cover) {
+  node.first_node = static_cast<std::uint32_t>(result_.nodes.size());
+  node.first_leaf = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
+  std::uint8_t inner = 0;
+  for (std::size_t j = 0; j < node.count; ++j) {
+    const Branch& child = branch(cover.branch[j]);
+    node.child[j] = child.leaf() ? static_cast<std::uint8_t>(128 + add_leaf(child) - node.first_leaf) : inner++;
+    write_slab(node, j, child);
+  }
+  result_.nodes.resize(result_.nodes.size() + inner);
+}
+
+void Packer::write_node(std::uint32_t number, std::uint32_t at) {
+  const Cover cover = collapse_.children(number);
+  Node node{};
+  node.count = static_cast<std::uint8_t>(cover.count);
+  write_boxes(node, branch(number), tree_.branches, cover);
+  write_children(node, cover);
+  for (std::size_t j = 0; j < node.count; ++j) {
+    if (node.child[j] & 128) continue;
+    write_node(cover.branch[j], node.first_node + node.child[j]);
+    node.leaves_of[j] = result_.nodes[node.first_node + node.child[j]].first_leaf;
+  }
+  result_.nodes[at] = node;
+}
+
+PackedTree Packer::pack() {
+  const std::size_t n = tree_.order.size();
+  result_.nodes.reserve(n / 40 + 1);
+  result_.leaves.reserve(24 * n + 512);
+  if (branch(0).leaf()) {
+    result_.root = leaf_bit | add_leaf(branch(0));
+  } else {
+    result_.nodes.resize(1);
+    result_.root = 0;
+    write_node(0, 0);
+  }
+  result_.leaf_size /= static_cast<float>(leaf_count_);
+  result_.leaves.resize(result_.leaves.size() + 2 * sizeof(Floats4) * 2);  // the last leaf may be read past its end
+  return std::move(result_);
+}
+
+}  // namespace
+
+PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Neighbours& neighbours) {
+  if (tree.order.empty()) return {};
+  return Packer(tree, mesh, space, neighbours).pack();
+}
+
+}  // namespace first_contact::bvh

@@ -1,0 +1,170 @@
+#include "first_contact/partition/bvh/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/geometry/mesh_edges.hpp"
+#include "first_contact/sweep/nearest.hpp"
+
+namespace first_contact::bvh {
+
+namespace {
+
+bool has(const Mesh::Face& face, std::uint32_t vertex) {
+  return face[0] == vertex || face[1] == vertex || face[2] == vertex;
+}
+
+/// Does the point lie within the triangle's box, to the tolerance? Much quicker than the nearest point.
+bool in_box(const Point& p, const Triangle& t, double tolerance) {
+  const auto near = [&](Eigen::Index i) {
+    const auto [low, high] = std::minmax({t.a[i], t.b[i], t.c[i]});
+    return p[i] >= low - tolerance && p[i] <= high + tolerance;
+  };
+  return near(0) && near(1) && near(2);
+}
+
+}  // namespace
+
+template <class Key>
+bool Verdict::Recent<Key>::seen(const Key& k) {
+  const std::size_t filled = std::min(count, key.size());
+  for (std::size_t i = 0; i < filled; ++i)
+    if (key[i] == k) return true;
+  key[count++ % key.size()] = k;
+  return false;
+}
+
+void Verdict::consider(std::uint32_t number) {
+  const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
+  keep(touch_face(moving_, Facet(mesh_.triangle(number))), corners, number);
+  for (std::size_t slot = 0; slot < 3; ++slot) {
+    const auto [low, high] = std::minmax(corners[slot], corners[(slot + 1) % 3]);
+    if (low == high || edges_.seen(std::uint64_t{low} << 32 | high)) continue;
+    if (comes_before(position(high), position(low)))
+      consider_edge(high, low);
+    else
+      consider_edge(low, high);
+  }
+  for (const std::uint32_t vertex : corners)
+    if (!vertices_seen_.seen(vertex)) consider_vertex(vertex);
+}
+
+void Verdict::consider_edge(std::uint32_t from, std::uint32_t to) {
+  const auto touch = touch_edge(moving_, position(from), position(to));
+  if (!too_late(touch)) keep_edge(*touch, from, to);
+}
+
+void Verdict::consider_vertex(std::uint32_t vertex) {
+  const auto touch = touch_vertex(moving_, position(vertex));
+  if (!too_late(touch)) keep_vertex(*touch, vertex);
+}
+
+//! [clearly_nearest]
+/// Do all faces around a touched vertex (from = to) or edge bend away from the sphere by much more than rounding? Then none
+/// of them is nearer, none has the touch's normal, the edge is not flat and the vertex is not buried: the normal itself
+/// shows the way out. What is not clear goes to the functions that weigh the rounding.
+bool Verdict::clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
+  constexpr double much = 1e-6;  // radians
+  // The angle up to which nearest.cpp takes two directions for one, twice over.
+  const double in_doubt = 2 * std::sqrt(touch.tolerance * (2 * touch.distance + touch.tolerance));
+  if (!(in_doubt < 0.5 * touch.distance)) return false;
+  const double sine = std::max(much, in_doubt / touch.distance);
+  const double edge = (position(to) - position(from)).squaredNorm();
+  for (const std::uint32_t number : neighbours_.faces_at(from)) {
+    const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
+    if (!has(corners, to)) continue;
+    for (const std::uint32_t corner : corners) {
+      if (corner == from || corner == to) continue;
+      const Vector away = position(corner) - position(from);
+      const double down = touch.normal.dot(away);
+      if (!(down < 0 && down * down > sine * sine * std::max(edge, away.squaredNorm()))) return false;
+    }
+  }
+  return true;
+}
+//! [clearly_nearest]
+
+void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to) {
+  std::vector<MeshEdges::Side> sides;
+  for (const std::uint32_t face : neighbours_.faces_at(from)) {
+    const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
+    for (std::uint32_t slot = 0; slot < 3; ++slot) {
+      const std::uint32_t p = corners[slot], q = corners[(slot + 1) % 3];
+      if ((p == from && q == to) || (p == to && q == from)) sides.push_back({face, slot});
+    }
+  }
+  const std::array<std::uint32_t, 3> vertices{from, to, to};
+  if (clearly_nearest(touch, from, to)) return keep(touch, vertices, sides[0].face);
+
+  std::vector<Facet> facets;
+  std::vector<FaceAround> faces;
+  std::vector<Vector> along;
+  facets.reserve(sides.size());
+  for (const auto& [face, slot] : sides) {
+    const Facet& facet = facets.emplace_back(mesh_.triangle(face));
+    const std::array<Point, 3> corners{facet.triangle.a, facet.triangle.b, facet.triangle.c};
+    along.emplace_back(corners[(slot + 1) % 3] - corners[slot]);
+    faces.push_back({&facet, facet.normal.cross(along.back())});
+  }
+  const bool thin = std::any_of(facets.begin(), facets.end(),
+                                [&](const Facet& facet) { return facet.thin_for(moving_.shape.radius); });
+  if (sides.size() == 2 && !thin) {
+    const bool opposed = along[0].dot(along[1]) < 0;
+    if (kind_of(facets[0], facets[1], along[0], opposed) == EdgeKind::flat) return;  // its faces answer for it
+  }
+  keep(among_faces(touch, faces, moving_), vertices, sides[0].face);
+}
+
+void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
+  const auto around = neighbours_.faces_at(vertex);
+  if (clearly_nearest(touch, vertex, vertex)) return keep(touch, {vertex, vertex, vertex}, around[0]);
+
+  std::vector<std::uint32_t> others;
+  std::vector<Facet> facets;
+  std::vector<FaceAround> faces;
+  facets.reserve(around.size());
+  for (const std::uint32_t face : around) {
+    for (const std::uint32_t corner : neighbours_.corners(mesh_.faces()[face]))
+      if (corner != vertex) others.push_back(corner);
+    faces.push_back({&facets.emplace_back(mesh_.triangle(face)), Vector::Zero()});
+  }
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  std::vector<Vector> edges, directions;
+  for (const std::uint32_t other : others) {
+    edges.emplace_back(position(other) - position(vertex));
+    directions.emplace_back(edges.back().normalized());
+  }
+  if (!edges.empty() && buried_by(directions)) return;
+  keep(among_edges(touch, edges, faces, moving_), {vertex, vertex, vertex}, around[0]);
+}
+
+void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face) {
+  if (!touch || (first_ && !earlier(*touch, *first_))) return;
+  first_ = touch;
+  vertices_ = vertices;
+  face_ = face;
+}
+
+/// The lowest number of the triangles around the touched feature that reach the touched point.
+std::uint32_t Verdict::lowest_triangle() const {
+  const double tolerance = first_->tolerance + rounding_of_distance * first_->point.cwiseAbs().maxCoeff();
+  std::uint32_t lowest = face_;
+  for (const std::uint32_t vertex : vertices_)
+    for (const std::uint32_t face : neighbours_.faces_at(vertex)) {
+      if (face >= lowest) break;
+      const Triangle triangle = mesh_.triangle(face);
+      if (!in_box(first_->point, triangle, tolerance)) continue;
+      if ((closest_point(first_->point, triangle) - first_->point).norm() <= tolerance) lowest = face;
+    }
+  return lowest;
+}
+
+std::optional<Contact> Verdict::contact() const {
+  if (!first_) return std::nullopt;
+  return Contact{first_->time, first_->point, first_->normal, first_->feature, lowest_triangle()};
+}
+
+}  // namespace first_contact::bvh
