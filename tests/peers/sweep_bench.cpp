@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,12 +14,10 @@ using namespace first_contact;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Casts = std::vector<Moving<Sphere>>;
 
-double nanoseconds(const Clock::time_point& start) {
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-}
+/// Time of the processor, not of the clock on the wall: other programs may run.
+double now() { return static_cast<double>(std::clock()) * (1e9 / CLOCKS_PER_SEC); }
 
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -32,9 +30,9 @@ std::vector<double> in_turns(const Casts& casts, const std::vector<std::function
   std::vector<std::vector<double>> times(ways.size());
   for (std::size_t first = 0; first + batch <= casts.size(); first += batch)
     for (std::size_t way = 0; way < ways.size(); ++way) {
-      const auto start = Clock::now();
+      const double start = now();
       ways[way](std::span(casts).subspan(first, batch));
-      times[way].push_back(nanoseconds(start) / batch);
+      times[way].push_back((now() - start) / batch);
     }
   std::vector<double> result;
   for (const auto& t : times) result.push_back(median(t));
@@ -44,9 +42,9 @@ std::vector<double> in_turns(const Casts& casts, const std::vector<std::function
 volatile double sink;
 
 void measure(const std::string& name, const Mesh& mesh, double unit, std::size_t count) {
-  auto start = Clock::now();
+  double start = now();
   const Bvh fast(mesh);
-  const double build = nanoseconds(start) / static_cast<double>(mesh.size());
+  const double build = (now() - start) / static_cast<double>(mesh.size());
   const PlainBvh plain(mesh);
   std::printf("%-14s %8zu triangles  build %4.0f ns, %3.0f bytes a triangle\n", name.c_str(), mesh.size(), build,
               static_cast<double>(fast.bytes()) / static_cast<double>(mesh.size()));

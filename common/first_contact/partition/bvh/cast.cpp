@@ -20,6 +20,9 @@ constexpr double error_per_length = 256 * eps;
 
 Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
     : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(surface.mesh, surface.neighbours, moving) {
+  const auto& [center, radius] = moving.shape;
+  const Vector& v = moving.displacement;
+  question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius};
   near_ = surface.mesh.size() > 0 && !moving.displacement.isZero(0) && enter(moving, surface.space);
   if (near_) walker_.begin(tree_, walk_);
 }
@@ -59,6 +62,16 @@ void Cast::note_latest() {
   if (tau < 1) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
 
+void Cast::consider(std::uint32_t triangle) {
+  const auto& vertices = parts_.mesh.vertices();
+  const auto& [a, b, c] = parts_.mesh.faces()[triangle];
+  const unsigned features = walker_.features_in_time(question_, vertices[a].data(), vertices[b].data(),
+                                                     vertices[c].data(), std::min(verdict_.latest(), 1.0));
+  if (features == 0) return;
+  verdict_.consider(triangle, features);
+  note_latest();
+}
+
 /// The nearest first: often it makes the others too late.
 void Cast::decide() {
   const std::uint32_t* numbers = &parts_.order[walk_.leaf->first];
@@ -67,8 +80,8 @@ void Cast::decide() {
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
-    verdict_.consider(numbers[nearest]);
-    note_latest();
+    if (trace) trace->push_back(numbers[nearest]);
+    consider(numbers[nearest]);
     left &= ~(1u << nearest);
   }
 }

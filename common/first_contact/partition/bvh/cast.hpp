@@ -16,10 +16,12 @@ class Cast {
   /// Goes on by one node or leaf. \returns whether there is more to do
   bool step();
   std::optional<Contact> contact() const { return verdict_.contact(); }
+  std::vector<std::uint32_t>* trace = nullptr;
 
  private:
   bool enter(const Moving<Sphere>& moving, const Space& space);
   void decide();
+  void consider(std::uint32_t triangle);
   void note_latest();
 
   const Bvh::Parts& parts_;
@@ -28,6 +30,7 @@ class Cast {
   Verdict verdict_;
   bool near_ = false;        // does the sphere come near the mesh at all?
   double from_ = 0, width_ = 1;  // the time when it does, and for how long
+  Question question_;
   Walk walk_;
 };
 

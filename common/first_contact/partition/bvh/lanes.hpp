@@ -16,15 +16,21 @@
 /// Everything here has internal linkage and uses nothing of the standard library: a function compiled with AVX2 must never be
 /// taken by the linker for one that runs everywhere.
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are passed only within one file
-
 namespace first_contact::bvh {
 namespace {
 
 typedef float Floats __attribute__((vector_size(32)));
 typedef std::int32_t Ints __attribute__((vector_size(32)));
+typedef double Doubles __attribute__((vector_size(32)));
+typedef std::int64_t Longs __attribute__((vector_size(32)));
 
 [[maybe_unused]] inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
+[[maybe_unused]] inline Doubles all4(double x) { return Doubles{x, x, x, x}; }
+[[maybe_unused]] inline Doubles least(Doubles a, Doubles b) { return a < b ? a : b; }
+[[maybe_unused]] inline Doubles most(Doubles a, Doubles b) { return a > b ? a : b; }
+[[maybe_unused]] inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
+/// Each lane from the one two before it, round about: the last of three to the first place.
+[[maybe_unused]] inline Doubles turn(Doubles a) { return Doubles{a[2], a[0], a[1], a[2]}; }
 [[maybe_unused]] inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
 [[maybe_unused]] inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
 [[maybe_unused]] inline Floats magnitude(Floats a) { return (Floats)((Ints)a & 0x7fffffff); }
@@ -45,7 +51,9 @@ inline Value read(const void* from) {
 
 /// One bit a lane: is it true?
 inline unsigned bits(Ints mask) { return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask)); }
+inline unsigned bits4(Longs mask) { return static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask)); }
 inline Floats root(Floats a) { return (Floats)_mm256_sqrt_ps((__m256)a); }
+inline Doubles root(Doubles a) { return (Doubles)_mm256_sqrt_pd((__m256d)a); }
 /// 1 / a to 11 bits.
 inline Floats about_one_over(Floats a) { return (Floats)_mm256_rcp_ps((__m256)a); }
 inline Floats from_bytes(const std::uint8_t* p) {
@@ -90,8 +98,17 @@ inline unsigned bits(Ints mask) {
   return result;
 #endif
 }
+inline unsigned bits4(Longs mask) {
+  unsigned result = 0;
+  for (int i = 0; i < 4; ++i) result |= mask[i] < 0 ? 1u << i : 0u;
+  return result;
+}
 inline Floats root(Floats a) {
   for (int i = 0; i < 8; ++i) a[i] = __builtin_sqrtf(a[i]);
+  return a;
+}
+inline Doubles root(Doubles a) {
+  for (int i = 0; i < 4; ++i) a[i] = __builtin_sqrt(a[i]);
   return a;
 }
 inline Floats about_one_over(Floats a) { return 1.0f / a; }

@@ -17,12 +17,9 @@ bool has(const Mesh::Face& face, std::uint32_t vertex) {
 }
 
 /// Does the point lie within the triangle's box, to the tolerance? Much quicker than the nearest point.
-bool in_box(const Point& p, const Triangle& t, double tolerance) {
-  const auto near = [&](Eigen::Index i) {
-    const auto [low, high] = std::minmax({t.a[i], t.b[i], t.c[i]});
-    return p[i] >= low - tolerance && p[i] <= high + tolerance;
-  };
-  return near(0) && near(1) && near(2);
+bool in_box(const Point& p, const Point& a, const Point& b, const Point& c, double tolerance) {
+  const Vector low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  return (p.array() >= low.array() - tolerance).all() && (p.array() <= high.array() + tolerance).all();
 }
 
 }  // namespace
@@ -36,27 +33,26 @@ bool Verdict::Recent<Key>::seen(const Key& k) {
   return false;
 }
 
-void Verdict::consider(std::uint32_t number) {
+void Verdict::consider(std::uint32_t number, unsigned features) {
   const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
-  keep(touch_face(moving_, Facet(mesh_.triangle(number))), corners, number);
-  for (std::size_t slot = 0; slot < 3; ++slot) {
-    const auto [low, high] = std::minmax(corners[slot], corners[(slot + 1) % 3]);
-    if (low == high || edges_.seen(std::uint64_t{low} << 32 | high)) continue;
-    if (comes_before(position(high), position(low)))
-      consider_edge(high, low);
-    else
-      consider_edge(low, high);
-  }
-  for (const std::uint32_t vertex : corners)
-    if (!vertices_seen_.seen(vertex)) consider_vertex(vertex);
+  if (features & 1) keep(touch_face(moving_, Facet(mesh_.triangle(number))), corners, number);
+  for (std::size_t slot = 0; slot < 3; ++slot)
+    if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
+  for (std::size_t slot = 0; slot < 3; ++slot)
+    if (features & 16u << slot) consider_vertex(corners[slot]);
 }
 
-void Verdict::consider_edge(std::uint32_t from, std::uint32_t to) {
+void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {
+  const auto [low, high] = std::minmax(p, q);
+  if (low == high || edges_.seen(std::uint64_t{low} << 32 | high)) return;
+  const bool turned = comes_before(position(high), position(low));
+  const std::uint32_t from = turned ? high : low, to = turned ? low : high;
   const auto touch = touch_edge(moving_, position(from), position(to));
   if (!too_late(touch)) keep_edge(*touch, from, to);
 }
 
 void Verdict::consider_vertex(std::uint32_t vertex) {
+  if (vertices_seen_.seen(vertex)) return;
   const auto touch = touch_vertex(moving_, position(vertex));
   if (!too_late(touch)) keep_vertex(*touch, vertex);
 }
@@ -86,7 +82,17 @@ bool Verdict::clearly_nearest(const Touch& touch, std::uint32_t from, std::uint3
 }
 //! [clearly_nearest]
 
+/// The lowest number of a face with this edge, or, if from = to, vertex.
+std::uint32_t Verdict::first_face(std::uint32_t from, std::uint32_t to) const {
+  for (const std::uint32_t face : neighbours_.faces_at(from))
+    if (has(neighbours_.corners(mesh_.faces()[face]), to)) return face;
+  return 0;
+}
+
 void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to) {
+  const std::array<std::uint32_t, 3> vertices{from, to, to};
+  if (clearly_nearest(touch, from, to)) return keep(touch, vertices, first_face(from, to));
+
   std::vector<MeshEdges::Side> sides;
   for (const std::uint32_t face : neighbours_.faces_at(from)) {
     const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
@@ -95,9 +101,6 @@ void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to
       if ((p == from && q == to) || (p == to && q == from)) sides.push_back({face, slot});
     }
   }
-  const std::array<std::uint32_t, 3> vertices{from, to, to};
-  if (clearly_nearest(touch, from, to)) return keep(touch, vertices, sides[0].face);
-
   std::vector<Facet> facets;
   std::vector<FaceAround> faces;
   std::vector<Vector> along;
@@ -137,8 +140,9 @@ void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
     edges.emplace_back(position(other) - position(vertex));
     directions.emplace_back(edges.back().normalized());
   }
-  if (!edges.empty() && buried_by(directions)) return;
-  keep(among_edges(touch, edges, faces, moving_), {vertex, vertex, vertex}, around[0]);
+  const auto nearest = among_edges(touch, edges, faces, moving_);
+  if (!nearest || (!edges.empty() && buried_by(directions))) return;
+  keep(nearest, {vertex, vertex, vertex}, around[0]);
 }
 
 void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face) {
@@ -155,9 +159,9 @@ std::uint32_t Verdict::lowest_triangle() const {
   for (const std::uint32_t vertex : vertices_)
     for (const std::uint32_t face : neighbours_.faces_at(vertex)) {
       if (face >= lowest) break;
-      const Triangle triangle = mesh_.triangle(face);
-      if (!in_box(first_->point, triangle, tolerance)) continue;
-      if ((closest_point(first_->point, triangle) - first_->point).norm() <= tolerance) lowest = face;
+      const auto [a, b, c] = mesh_.faces()[face];
+      if (!in_box(first_->point, position(a), position(b), position(c), tolerance)) continue;
+      if ((closest_point(first_->point, mesh_.triangle(face)) - first_->point).norm() <= tolerance) lowest = face;
     }
   return lowest;
 }

@@ -21,8 +21,8 @@ class Verdict {
   Verdict(const Mesh& surface, const Neighbours& around, const Moving<Sphere>& sphere)
       : mesh_(surface), neighbours_(around), moving_(sphere) {}
 
-  /// Considers a face, its edges and its vertices.
-  void consider(std::uint32_t face);
+  /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc, ca, the vertices a, b, c.
+  void consider(std::uint32_t face, unsigned features = 127);
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
   std::optional<Contact> contact() const;
@@ -40,9 +40,10 @@ class Verdict {
 
   bool too_late(const std::optional<Touch>& touch) const { return !touch || touch->time > latest(); }
   const Point& position(std::uint32_t vertex) const { return mesh_.vertices()[vertex]; }
-  void consider_edge(std::uint32_t from, std::uint32_t to);
+  void consider_edge(std::uint32_t p, std::uint32_t q);
   void consider_vertex(std::uint32_t vertex);
   bool clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const;
+  std::uint32_t first_face(std::uint32_t from, std::uint32_t to) const;
   void keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face);
   void keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to);
   void keep_vertex(const Touch& touch, std::uint32_t vertex);

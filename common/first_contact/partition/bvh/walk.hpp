@@ -44,11 +44,18 @@ struct Walk {
 /// What a walk does next: it has come to a leaf with survivors, or it rests after a node, or it is at its end.
 enum class Stop { survivors, pause, end };
 
+/// A cast in the unit of the mesh, for the doubles.
+struct Question {
+  double center[3], travel[3], radius;
+};
+
 /// The same code compiled for one instruction set.
 struct Walker {
   void (*begin)(const Tree&, Walk&);
   Stop (*next)(const Tree&, Walk&);  ///< goes on to the next leaf with survivors, or to the end
   Stop (*step)(const Tree&, Walk&);  ///< one node or leaf at most
+  /// What of the triangle abc may be touched in time? One bit each: the face, the edges ab, bc, ca, the vertices a, b, c.
+  unsigned (*features_in_time)(const Question&, const double* a, const double* b, const double* c, double latest);
 };
 
 /// Runs everywhere.
