@@ -33,16 +33,19 @@ bool Cast::enter(const Moving<Sphere>& moving, const Space& space) {
   const Point start = space.point(moving.shape.center);
   const Vector travel = space.vector(moving.displacement);
   walk_.radius = space.length(moving.shape.radius);
-  walk_.error = error_per_length * (1 + walk_.radius + start.cwiseAbs().maxCoeff() + travel.cwiseAbs().maxCoeff());
+  const double offset = space.length(moving.shape.center.cwiseAbs().maxCoeff());
+  walk_.error = error_per_length *
+                (1 + walk_.radius + offset + start.cwiseAbs().maxCoeff() + travel.cwiseAbs().maxCoeff());
 
   const double reach = (1 + walk_.radius) * (1 + 0x1p-20) + 2 * walk_.error;
+  const bool inside = start.cwiseAbs().maxCoeff() <= reach && (start + travel).cwiseAbs().maxCoeff() <= reach;
   double from = 0, to = 1;
-  for (Eigen::Index i = 0; i < 3; ++i) {
+  for (Eigen::Index i = 0; i < 3 && !inside; ++i) {
     if (std::abs(start[i]) > reach && travel[i] == 0) return false;
     if (travel[i] == 0) continue;
-    const auto [low, high] = std::minmax({(-reach - start[i]) / travel[i], (reach - start[i]) / travel[i]});
-    from = std::max(from, low);
-    to = std::min(to, high);
+    const double low = (-reach - start[i]) / travel[i], high = (reach - start[i]) / travel[i];
+    from = std::max(from, std::min(low, high));
+    to = std::min(to, std::max(low, high));
   }
   if (from > to) return false;
   from_ = from;
@@ -67,14 +70,17 @@ void Cast::consider(std::uint32_t triangle) {
   const auto& [a, b, c] = parts_.mesh.faces()[triangle];
   const unsigned features = walker_.features_in_time(question_, vertices[a].data(), vertices[b].data(),
                                                      vertices[c].data(), std::min(verdict_.latest(), 1.0));
-  if (features == 0) return;
   verdict_.consider(triangle, features);
-  note_latest();
+  if (features != 0) note_latest();
 }
 
 /// The nearest first: often it makes the others too late.
 void Cast::decide() {
   const std::uint32_t* numbers = &parts_.order[walk_.leaf->first];
+  for (unsigned left = walk_.survivors; left != 0; left &= left - 1) {
+    const auto& [a, b, c] = parts_.mesh.faces()[numbers[std::countr_zero(left)]];
+    for (const std::uint32_t vertex : {a, b, c}) __builtin_prefetch(&parts_.mesh.vertices()[vertex]);
+  }
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)

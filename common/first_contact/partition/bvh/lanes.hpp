@@ -26,13 +26,9 @@ typedef std::int64_t Longs __attribute__((vector_size(32)));
 
 [[maybe_unused]] inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
 [[maybe_unused]] inline Doubles all4(double x) { return Doubles{x, x, x, x}; }
-[[maybe_unused]] inline Doubles least(Doubles a, Doubles b) { return a < b ? a : b; }
-[[maybe_unused]] inline Doubles most(Doubles a, Doubles b) { return a > b ? a : b; }
 [[maybe_unused]] inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
 /// Each lane from the one two before it, round about: the last of three to the first place.
 [[maybe_unused]] inline Doubles turn(Doubles a) { return Doubles{a[2], a[0], a[1], a[2]}; }
-[[maybe_unused]] inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
-[[maybe_unused]] inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
 [[maybe_unused]] inline Floats magnitude(Floats a) { return (Floats)((Ints)a & 0x7fffffff); }
 /// a, with its sign turned where b is negative.
 [[maybe_unused]] inline Floats turned_like(Floats a, Floats b) {
@@ -49,6 +45,11 @@ inline Value read(const void* from) {
 
 #if defined(__AVX2__)
 
+/// a < b ? a : b, and a > b ? a : b: if one is not a number, b.
+inline Floats least(Floats a, Floats b) { return (Floats)_mm256_min_ps((__m256)a, (__m256)b); }
+inline Floats most(Floats a, Floats b) { return (Floats)_mm256_max_ps((__m256)a, (__m256)b); }
+inline Doubles least(Doubles a, Doubles b) { return (Doubles)_mm256_min_pd((__m256d)a, (__m256d)b); }
+inline Doubles most(Doubles a, Doubles b) { return (Doubles)_mm256_max_pd((__m256d)a, (__m256d)b); }
 /// One bit a lane: is it true?
 inline unsigned bits(Ints mask) { return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask)); }
 inline unsigned bits4(Longs mask) { return static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask)); }
@@ -88,6 +89,10 @@ inline Floats pick(const Table& t, Ints n) {
 
 #else
 
+inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
+inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
+inline Doubles least(Doubles a, Doubles b) { return a < b ? a : b; }
+inline Doubles most(Doubles a, Doubles b) { return a > b ? a : b; }
 inline unsigned bits(Ints mask) {
 #if defined(__SSE2__)
   const auto half = [&](int i) { return static_cast<unsigned>(_mm_movemask_ps(read<__m128>((const char*)&mask + i))); };

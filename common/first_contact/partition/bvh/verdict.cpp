@@ -34,6 +34,8 @@ bool Verdict::Recent<Key>::seen(const Key& k) {
 }
 
 void Verdict::consider(std::uint32_t number, unsigned features) {
+  considered_.add(number);
+  if (features == 0) return;
   const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
   if (features & 1) keep(touch_face(moving_, Facet(mesh_.triangle(number))), corners, number);
   for (std::size_t slot = 0; slot < 3; ++slot)
@@ -152,17 +154,26 @@ void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, 
   face_ = face;
 }
 
-/// The lowest number of the triangles around the touched feature that reach the touched point.
+/// Does a face at one of the touched feature's vertices reach the touched point?
+bool Verdict::reaches(std::uint32_t face, double tolerance) const {
+  const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
+  const bool u = has(corners, vertices_[0]), v = has(corners, vertices_[1]), w = has(corners, vertices_[2]);
+  if (u && v && w) return true;  // it has all of the feature
+  const auto& [a, b, c] = corners;
+  return (u || v || w) && in_box(first_->point, position(a), position(b), position(c), tolerance) &&
+         (closest_point(first_->point, mesh_.triangle(face)) - first_->point).norm() <= tolerance;
+}
+
+/// The lowest number of the triangles around the touched feature that reach the touched point. As they reach it, all of
+/// them were considered.
 std::uint32_t Verdict::lowest_triangle() const {
   const double tolerance = first_->tolerance + rounding_of_distance * first_->point.cwiseAbs().maxCoeff();
   std::uint32_t lowest = face_;
-  for (const std::uint32_t vertex : vertices_)
-    for (const std::uint32_t face : neighbours_.faces_at(vertex)) {
-      if (face >= lowest) break;
-      const auto [a, b, c] = mesh_.faces()[face];
-      if (!in_box(first_->point, position(a), position(b), position(c), tolerance)) continue;
-      if ((closest_point(first_->point, mesh_.triangle(face)) - first_->point).norm() <= tolerance) lowest = face;
-    }
+  const auto lower = [&](std::uint32_t face) {
+    if (face < lowest && reaches(face, tolerance)) lowest = face;
+  };
+  std::for_each_n(considered_.first.begin(), considered_.count, lower);
+  std::for_each(considered_.more.begin(), considered_.more.end(), lower);
   return lowest;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
@@ -21,7 +22,9 @@ class Verdict {
   Verdict(const Mesh& surface, const Neighbours& around, const Moving<Sphere>& sphere)
       : mesh_(surface), neighbours_(around), moving_(sphere) {}
 
-  /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc, ca, the vertices a, b, c.
+  /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc, ca,
+  /// the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be touched where another
+  /// one is.
   void consider(std::uint32_t face, unsigned features = 127);
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
@@ -38,6 +41,19 @@ class Verdict {
     bool seen(const Key& k);
   };
 
+  /// The triangles that were considered. As a rule they are few, and need no memory of their own.
+  struct Numbers {
+    std::array<std::uint32_t, 16> first;
+    std::size_t count = 0;
+    std::vector<std::uint32_t> more;
+    void add(std::uint32_t number) {
+      if (count < first.size())
+        first[count++] = number;
+      else
+        more.push_back(number);
+    }
+  };
+
   bool too_late(const std::optional<Touch>& touch) const { return !touch || touch->time > latest(); }
   const Point& position(std::uint32_t vertex) const { return mesh_.vertices()[vertex]; }
   void consider_edge(std::uint32_t p, std::uint32_t q);
@@ -48,6 +64,7 @@ class Verdict {
   void keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to);
   void keep_vertex(const Touch& touch, std::uint32_t vertex);
   std::uint32_t lowest_triangle() const;
+  bool reaches(std::uint32_t face, double tolerance) const;
 
   const Mesh& mesh_;
   const Neighbours& neighbours_;
@@ -55,6 +72,7 @@ class Verdict {
   std::optional<Touch> first_;
   Vertices vertices_{};      // of the feature that is touched first, some of them twice
   std::uint32_t face_ = 0;   // one that has this feature
+  Numbers considered_;
   Recent<std::uint64_t> edges_;
   Recent<std::uint32_t> vertices_seen_;
 };
