@@ -89,7 +89,7 @@ void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Sphere>& 
               {colour::ink, 2.4});
   scene.dot(s0);
   scene.dot(end);
-  scene.label("{/:Italic S}_0", s0, -1.2, 0.6);
+  scene.label("{/:Italic S}_0", s0 + r * n, 0, 0.9);
   scene.label(contact ? "{/:Italic S}({/:Italic t})" : "{/:Italic S}_1", end, 2.0, 0.4);
   scene.label("{/:Bold V}", 0.5 * (s0 + end), 1.2, 0.5, colour::red);
   scene.label("{/:Bold N}", middle - 0.8 * half_u - 0.7 * half_v + r * n, 1.4, -0.4);

@@ -1495,7 +1495,7 @@ plot $s0 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
  $s1 with lines lc rgb BLUE lw 1.2 dt solid notitle, \
  $s2 with filledcurves closed fc rgb SHADOW fs solid noborder notitle, \
  $s3 with filledcurves closed fc rgb fade(AMBER,0.55) fs solid noborder notitle, \
- $s4 with filledcurves closed fc rgb tone(0xF6FFFFFF) fs solid noborder notitle, \
+ $s4 with filledcurves closed fc rgb tone(0xF6FFFFFE) fs solid noborder notitle, \
  $s5 with lines lc rgb AMBER lw 1.2 dt solid notitle, \
  $s6 with lines lc rgb RED lw 2 dt solid notitle, \
  $s7 with filledcurves closed fc rgb fade(FLOOR,0) fs solid noborder notitle, \

@@ -79,7 +79,7 @@ unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [-3.31884598:2.99339541]
 set yrange [-1.15488431:3.1367112]
-set label "{/:Italic S}_0" at -0.822190912,2.09855542 center offset character -1.2,0.6 front tc rgb INK
+set label "{/:Italic S}_0" at -0.822190912,2.75634025 center offset character 0,0.9 front tc rgb INK
 set label "{/:Italic S}({/:Italic t})" at 0.496740343,0.582142617 center offset character 2,0.4 front tc rgb INK
 set label "{/:Bold V}" at -0.162725285,1.34034902 center offset character 1.2,0.5 front tc rgb RED
 set label "{/:Bold N}" at -2.35014029,0.584236133 center offset character 1.4,-0.4 front tc rgb INK
@@ -4331,7 +4331,7 @@ plot $s0 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
  $s39 with filledcurves closed fc rgb tone(0x00F6C769) fs solid noborder notitle, \
  $s40 with filledcurves closed fc rgb tone(0x00F6C86B) fs solid noborder notitle, \
  $s41 with filledcurves closed fc rgb fade(AMBER,0.5) fs solid noborder notitle, \
- $s42 with filledcurves closed fc rgb tone(0xF6FFFFFF) fs solid noborder notitle, \
+ $s42 with filledcurves closed fc rgb tone(0xF6FFFFFE) fs solid noborder notitle, \
  $s43 with lines lc rgb AMBER lw 1.2 dt solid notitle, \
  $s44 with filledcurves closed fc rgb fade(FLOOR,0) fs solid noborder notitle, \
  $s45 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \

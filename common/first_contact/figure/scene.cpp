@@ -14,6 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
+constexpr std::uint32_t light_colour = 0xFFFFFE;  // white on a dark page too: the paper's own white becomes dark there
 
 // A colour under a light that falls at an angle whose cosine is given: ambient, diffuse and a soft highlight.
 std::uint32_t lit(std::uint32_t rgb, double cosine) {
@@ -138,7 +139,7 @@ void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int
   if (opacity < 1) {  // glass: one even fill, a few faint lights upon it, and a rim
     add(outline, area(flat(colour, opacity), false), layer, depth);
     for (double angle = 64; angle > 0; angle -= 4)
-      cap(ball, light_, angle * degree, area(shade(0xFFFFFF, 0.035), false), layer);
+      cap(ball, light_, angle * degree, area(shade(light_colour, 0.035), false), layer);
     std::vector<Point> closed = outline;
     closed.push_back(outline.front());
     add(closed, "lines " + stroke({colour, 1.2}), layer, depth);

@@ -113,7 +113,8 @@ std::string themed(std::string svg) {
     const std::string other = hexadecimal(colour.dark, "#%06x");
     replace_all(svg, as_gnuplot_writes(colour.light, "rgb(%3u, %3u, %3u)"), light);
     replace_all(svg, as_gnuplot_writes(colour.light, "rgb(%u,%u,%u)"), light);
-    dark += "[fill=\"" + light + "\"]{fill:" + other + "}[stroke=\"" + light + "\"]{stroke:" + other + "}";
+    for (const std::string attribute : {"fill", "stroke", "color"})
+      dark.append("[").append(attribute).append("=\"" + light + "\"]{").append(attribute).append(":" + other + "}");
   }
   replace_all(svg, " shape-rendering='crispEdges'", "");  // it would draw fills without smooth edges
   replace_all(svg, "font-family=\"DejaVu Serif\"", "font-family=\"DejaVu Serif, Georgia, serif\"");
