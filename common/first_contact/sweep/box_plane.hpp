@@ -18,19 +18,23 @@ bool overlap(const Box& box, const Plane& plane);
 /// right angles: that removes nothing but rounding if the box was apart, and the depth of the vertices if it
 /// overlapped.
 ///
-/// Error of t: at most 8 eps (|Q0| + |D| + 1/2 (|R| + |S| + |T|) + t |V|) / |N.V|. \see
-/// tests/oracle/box_plane_test.cpp
+/// Error of t: at most 8 eps (|Q0| + |D| + 1/2 (|R| + |S| + |T|) + t |V|) / |N.V|.
+///
+/// \see tests/oracle/box_plane_test.cpp
 std::optional<Contact> sweep(const Moving<Box>& moving, const Plane& plane);
 
 /// The vertices of the box that reach farthest against a unit vector: 1, 2 or 4, one a column (paper, 1.3).
 ContactPoints lowest_vertices(const Box& box, const Vector& normal);
 
 /// The largest |T.N| / |T| at which an axis still counts as parallel to a plane. Turn a box and a plane by
-/// one and the same rotation and an axis that was parallel is so no longer: the nine numbers of a rotation
-/// matrix come with an error of 2 eps each, a product with it adds 3/2, so T and N are each off by up to
-/// sqrt(3) 7/2 eps of their length; with the 3/2 eps of the product T.N itself that makes 14 eps. At 16 a box
-/// that was laid flat is never taken to stand on a corner, and the ends of a parallel axis are level to
-/// within rounding. \see tests/unit/box_plane_test.cpp
-inline constexpr double parallel_tolerance = 16 * std::numeric_limits<double>::epsilon();
+/// one and the same rotation, and an axis that was parallel is so no longer: nine numbers of a rotation
+/// matrix, each off by up to 2 eps, turn a vector by up to 6 eps, and the product with them adds sqrt(3) 3/2
+/// eps. Both T and N suffer that, N is divided by its length (1), T as well (3/2), and T.N has an error of
+/// its own (3/2): 22 eps at the most, and the next power of two is taken. So a box that was laid flat is
+/// never found standing on a corner, and the ends of an axis that counts as parallel are level to within
+/// rounding.
+///
+/// \see tests/unit/box_plane_test.cpp
+inline constexpr double parallel_tolerance = 32 * std::numeric_limits<double>::epsilon();
 
 }  // namespace first_contact
