@@ -1,0 +1,100 @@
+// Chapter 1: a moving sphere meets a plane (paper, 1.2).
+#include "figures.hpp"
+#include "first_contact/program/program.hpp"
+#include "first_contact/sweep/sphere_plane.hpp"
+
+using namespace first_contact;
+using namespace first_contact::program;
+
+namespace {
+
+//! [scene]
+struct Scene {
+  Plane plane{{0, 0, 1}, 0};
+  Point from{-0.9, 0, 2.1};
+  Point to{0.75, 0, 0.5};
+  double radius = 0.7;
+};
+//! [scene]
+
+//! [report]
+void tell(Report& report, const Scene& scene, const Moving<Sphere>& ball,
+          const std::optional<Contact>& contact) {
+  const Vector n = scene.plane.normal();
+  report.title({"A moving sphere meets a plane", "球面與平面之間的碰撞"}, "1.2");
+  report.say({"The plane, and the sphere above it", "平面與球面"});
+  report.row("N", n, {"unit normal of the plane E = [N, D]", "平面 E = [N, D] 的單位法向量"});
+  report.row("D", scene.plane.offset(), {"signed distance of the origin", "原點到平面的距離"});
+  report.row("r", scene.radius, {"radius of the sphere", "球面半徑"});
+  report.row("E.S0", scene.plane.signed_distance(scene.from),
+             {"distance of the centre at t = 0", "t = 0 時球心的距離"});
+  report.row("E.S1", scene.plane.signed_distance(scene.to),
+             {"distance of the centre at t = 1", "t = 1 時球心的距離"});
+  report.row("N.V", n.dot(ball.displacement),
+             {"how much the centre rises; toward the plane if it is nearer after", "球心沿法向量的位移"});
+
+  if (!contact) return report.say({"No contact within 0 <= t <= 1.", "0 <= t <= 1 之間沒有發生碰撞"});
+  report.say({"The first contact: the centre meets the plane moved out by r, E' = [N, D - r]",
+              "碰撞：球心位於位移 r 後的平面 E' = [N, D - r]"});
+  report.row("t = -(E'.S0)/(E'.V)", contact->time, {"time of impact", "碰撞時間"});
+  report.row("S(t) = S0 + tV", Point(scene.from + contact->time * ball.displacement),
+             {"centre at that time", "碰撞時的球心"});
+  report.row("C = S(t) - rN", contact->point(), {"point of contact", "碰撞點"});
+}
+
+// What the paper leaves open: the normal must have unit length, and only an approach within 0 <= t <= 1 is a
+// collision.
+void tell_corrections(Report& report, const Scene& scene, const Moving<Sphere>& ball) {
+  const double distance = scene.plane.signed_distance(scene.from);
+  const double toward = scene.plane.normal().dot(ball.displacement);
+  const auto time = [&](double numerator, double denominator) {
+    return denominator != 0 ? readable(numerator / denominator) : std::string("-");
+  };
+  report.say({"As printed: any N will do, and any N.V but 0 is a collision",
+              "論文所印：N 不限單位長，N.V 不為零就會碰撞"});
+  report.row("t with N", time(scene.radius - distance, toward), {"N of unit length", "N 為單位向量"});
+  report.row("t with 2N", time(scene.radius - 2 * distance, 2 * toward),
+             {"the same plane with N twice as long: another time", "同一平面，N 為兩倍長：時間不同"});
+  report.say(
+      {"Corrected: |N| = 1 by construction; a collision only if N.V < 0 on the sphere's side and 0 <= t <= 1",
+       "修正：N 恆為單位長；僅當 N.V < 0 且 0 <= t <= 1 才是碰撞"});
+  report.row("collision", std::string(sweep(ball, scene.plane) ? "true" : "false"),
+             {"in this scene", "此場景"});
+}
+//! [report]
+
+Json results(const Scene& scene, const Moving<Sphere>& ball, const std::optional<Contact>& contact) {
+  Json json;
+  json["contact"] = nullptr;
+  if (contact)
+    json["contact"] = {{"time", contact->time},
+                       {"center", to_json(Vector(scene.from + contact->time * ball.displacement))},
+                       {"point", to_json(contact->point())},
+                       {"normal", to_json(contact->normal)}};
+  json["distance_start"] = scene.plane.signed_distance(scene.from);
+  json["distance_end"] = scene.plane.signed_distance(scene.to);
+  return json;
+}
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("plane", "01_plane", "A moving sphere meets a plane (paper, 1.2).");
+  Scene scene;
+  program.option("--plane", scene.plane, "A,B,C,D", "the plane Ax + By + Cz + D = 0");
+  program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
+  program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
+  program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
+  return program.run(argc, argv, [&] {
+    const auto ball = program.checked("--to", [&] {
+      return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
+    });
+    const auto contact = sweep(ball, scene.plane);
+    tell(program.report(), scene, ball, contact);
+    tell_corrections(program.report(), scene, ball);
+    program.json() = results(scene, ball, contact);
+    if (program.draws()) draw_plane_figures(program, scene.plane, ball, contact);
+  });
+}
+//! [main]

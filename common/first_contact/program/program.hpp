@@ -1,0 +1,100 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "first_contact/figure/figure.hpp"
+#include "first_contact/geometry/plane.hpp"
+#include "first_contact/program/report.hpp"
+
+namespace first_contact::program {
+
+/// A value that an option must not have; the message names the value and the rule.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What every chapter shares: options, `--help`, `--json`, `--lang`, `--out`, figures, and the exit status:
+/// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a
+/// failure.
+///
+///     int main(int argc, char** argv) {
+///       Program program("plane", "01_plane", "A moving sphere meets a plane (paper, 1.2).");
+///       double radius = 1;
+///       program.option("--radius", radius, "r", "radius of the sphere", not_negative);
+///       return program.run(argc, argv, [&] { ... program.report().row(...); program.json()["contact"] = ...;
+///       });
+///     }
+class Program {
+ public:
+  /// \param chapter  the folder of the chapter, also of its figures: "01_plane"
+  Program(std::string name, std::string chapter, const std::string& purpose);
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program();
+
+  /// A rule for a number: it returns what the number must be if it is not that, else nothing.
+  using Rule = std::function<std::string(double)>;
+
+  /// Options with their default values; vectors are comma-separated, `--p1=-1,8` and `--p1 -1,8` alike.
+  void option(const std::string& name, double& value, const std::string& letters, const std::string& help,
+              const Rule& rule = {});
+  void option(const std::string& name, long& value, const std::string& letters, const std::string& help,
+              const Rule& rule = {});
+  void option(const std::string& name, Vector& value, const std::string& letters, const std::string& help);
+  void option(const std::string& name, Eigen::Vector2d& value, const std::string& letters,
+              const std::string& help, const Rule& rule = {});
+  void option(const std::string& name, Plane& value, const std::string& letters, const std::string& help);
+  void option(const std::string& name, std::string& value, const std::string& letters,
+              const std::string& help);
+  void option(const std::string& name, std::string& value, const std::vector<std::string>& choices,
+              const std::string& help);
+
+  /// Was this option given on the command line?
+  bool given(const std::string& name) const;
+
+  /// Makes something of an option's value, or refuses that value in the option's name: what `make` throws as
+  /// std::invalid_argument or std::runtime_error becomes bad usage (exit status 2).
+  template <class Make>
+  auto checked(const std::string& name, Make make) -> decltype(make()) {
+    try {
+      return make();
+    } catch (const std::exception& error) {
+      throw Refused(name + " " + text_of(name) + ": " + error.what());
+    }
+  }
+
+  /// Reads the command line, checks all of it, runs the chapter, then prints the report or the JSON.
+  int run(int argc, char** argv, const std::function<void()>& chapter);
+
+  Report& report();
+  Json& json();
+  Language language() const;
+  /// Text in the language of this run.
+  const std::string& say(const Text& text) const { return text.in(language()); }
+  /// False with `--no-figures`.
+  bool draws() const;
+  /// Where figures go and how they are drawn.
+  const figure::Studio& studio() const;
+
+ private:
+  std::string text_of(const std::string& name) const;
+  int execute(int argc, char** argv, const std::function<void()>& chapter);
+
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+/// Rules for numbers.
+std::string not_negative(double value);
+std::string positive(double value);
+std::string at_most_one(double value);  ///< in [0, 1], such as a coefficient of restitution
+
+/// Writes a whole file or none of it. \throws std::runtime_error that names the file if it cannot be written.
+void write_file(const std::filesystem::path& file, const std::string& content);
+
+}  // namespace first_contact::program

@@ -1,0 +1,69 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "first_contact/geometry/space.hpp"
+#include "first_contact/program/language.hpp"
+#include "first_contact/sweep/contact.hpp"
+
+namespace first_contact::program {
+
+/// Results in the order in which they were given.
+using Json = nlohmann::ordered_json;
+
+/// A point or vector as [x, y, z].
+Json to_json(const Vector& value);
+/// The points of a contact, one list each.
+Json to_json(const ContactPoints& points);
+/// Prints with 17 significant digits, so that every double is read back as it was; what is not a number is
+/// null.
+std::string to_string(const Json& json);
+
+/// A number for a reader: six significant digits, and no minus before a zero.
+std::string readable(double value);
+/// A vector for a reader: (1, -2, 0.5).
+std::string readable(const Vector& value);
+std::string readable(const std::string& value);
+
+/// The report that a student follows: a title, then rows of symbol, value and meaning, with the paper's
+/// equation and printed value where there are any. It is printed whole at the end.
+class Report {
+ public:
+  explicit Report(Language language) : language_(language) {}
+
+  /// The first line: what the chapter is about, and the paper's section.
+  void title(const Text& text, const std::string& section);
+  /// A heading or a sentence between rows; an empty line before it.
+  void say(const Text& text);
+  /// A sentence that follows directly on what stands before.
+  void also(const Text& text);
+  /// One number: the paper's symbol or equation, the value, what it means.
+  template <class Value>
+  void row(const std::string& equation, const Value& value, const Text& meaning) {
+    lines_.push_back({equation, readable(value), meaning.in(language_), true});
+  }
+  /// One number that the paper prints, beside it.
+  template <class Value>
+  void row(const std::string& equation, const Value& value, const Text& meaning, const std::string& printed) {
+    const Text note{"the paper prints ", "論文印作 "};
+    row(equation, value,
+        Text{meaning.english + "; " + note.english + printed,
+             meaning.chinese + "；" + note.chinese + printed});
+  }
+
+  void print(std::ostream& out) const;
+
+ private:
+  struct Line {
+    std::string equation, value, meaning;
+    bool is_row;
+  };
+
+  Language language_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace first_contact::program

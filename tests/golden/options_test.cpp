@@ -1,0 +1,155 @@
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "run_program.hpp"
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Bad {
+  std::string program;
+  std::vector<std::string> arguments;
+  std::vector<std::string> named;  // what the one line must name: option, value, rule
+};
+
+const std::vector<Bad> all_bad{
+    {"plane", {"--plane", "0,0,0,1"}, {"--plane", "0,0,0,1", "not zero"}},
+    {"plane", {"--plane", "0,0,1"}, {"--plane", "0,0,1", "4 numbers"}},
+    {"plane", {"--plane", "0,0,nan,1"}, {"--plane", "nan", "finite"}},
+    {"plane", {"--radius", "-1"}, {"--radius", "-1", "not be negative"}},
+    {"plane", {"--radius=inf"}, {"--radius", "inf", "finite"}},
+    {"plane", {"--radius", "1m"}, {"--radius", "1m", "number"}},
+    {"plane", {"--from", "1,2"}, {"--from", "1,2", "3 numbers"}},
+    {"plane", {"--from", "1,2,3,4"}, {"--from", "1,2,3,4", "3 numbers"}},
+    {"plane", {"--from", "1,,3"}, {"--from", "1,,3", "number"}},
+    {"plane", {"--to", "1e308,0,0", "--from", "-1e308,0,0"}, {"--to", "1e308,0,0", "finite"}},
+    {"plane", {"--lang", "fr"}, {"--lang", "fr", "en|zh-TW"}},
+    {"plane", {"--format", "bmp"}, {"--format", "bmp", "svg|png|pdf"}},
+    {"plane", {"--radius", "1", "--radius", "2"}, {"--radius"}},
+    {"plane", {"--colour", "red"}, {"--colour"}},
+    {"plane", {"extra"}, {"extra"}},
+    {"plane", {"--radius"}, {"--radius"}},
+    {"box", {"--r", "1,0,0", "--s", "1,1,0"}, {"perpendicular"}},
+    {"box", {"--plane", "0,0,0,1"}, {"--plane", "0,0,0,1", "not zero"}},
+    {"box", {"--t", "0,0,nan"}, {"--t", "nan", "finite"}},
+    {"partitioning", {"--objects", "-5"}, {"--objects", "-5"}},
+    {"partitioning", {"--objects", "many"}, {"--objects", "many", "whole number"}},
+    {"partitioning", {"--seed", "0.5"}, {"--seed", "0.5", "whole number"}},
+    {"partitioning", {"--mesh", "/nowhere/at.off"}, {"--mesh", "/nowhere/at.off"}},
+    {"general_sphere", {"--radius", "-0.1"}, {"--radius", "-0.1", "not be negative"}},
+    {"general_sphere", {"--mesh", "/nowhere/at.off"}, {"--mesh", "/nowhere/at.off"}},
+    {"general_sphere",
+     {"--casts", "/nowhere/in.csv", "--results", "never.csv"},
+     {"--casts", "/nowhere/in.csv"}},
+    {"general_sphere", {"--results", "never.csv"}, {"--results", "never.csv", "--casts"}},
+    {"slide", {"--radius", "-0.1"}, {"--radius", "-0.1", "not be negative"}},
+    {"slide", {"--mesh", "/nowhere/at.obj"}, {"--mesh", "/nowhere/at.obj"}},
+    {"moving_spheres", {"--rp", "-2"}, {"--rp", "-2", "not be negative"}},
+    {"moving_spheres", {"--interval", "3,1"}, {"--interval", "3,1"}},
+    {"moving_spheres", {"--interval", "0"}, {"--interval", "0", "2 numbers"}},
+    {"tween_bounce", {"--g", "nan"}, {"--g", "nan", "finite"}},
+    {"tween_bounce", {"--dt", "0"}, {"--dt", "0"}},
+    {"tween_bounce", {"--samples", "0"}, {"--samples", "0"}},
+    {"tween_bounce", {"--restitution", "1.5"}, {"--restitution", "1.5", "from 0 to 1"}},
+    {"tween_bounce", {"--model", "magic"}, {"--model", "magic", "printed|physical"}},
+    {"tween_bounce", {"--csv", "/nowhere/out.csv"}, {"/nowhere/out.csv"}},
+    {"angle_demo", {"--mass", "0,1"}, {"--mass", "0,1", "greater than zero"}},
+    {"angle_demo", {"--mass", "5"}, {"--mass", "5", "2 numbers"}},
+    {"angle_demo", {"--restitution", "-0.1"}, {"--restitution", "-0.1", "from 0 to 1"}},
+    {"angle_demo", {"--model", "magic"}, {"--model", "magic", "printed|contact"}},
+    {"angle_demo", {"--p1", "1,2,3"}, {"--p1", "1,2,3", "2 numbers"}},
+};
+
+std::string text_of(const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const auto& argument : arguments) text += " " + argument;
+  return text;
+}
+
+json json_of(const std::string& program, std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), {"--json", "--no-figures"});
+  const Run run = run_program(program, arguments);
+  CAPTURE(program, text_of(arguments), run.err);
+  REQUIRE(run.status == 0);
+  return json::parse(run.out);
+}
+
+}  // namespace
+
+TEST_CASE("A bad value is refused in one line that names option, value and rule, with status 2 and no file") {
+  for (const Bad& bad : all_bad) {
+    const TemporaryFolder folder;
+    const Run run = run_program(bad.program, bad.arguments, folder.path());
+    CAPTURE(bad.program, text_of(bad.arguments), run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out.empty());
+    CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+    for (const auto& part : bad.named) {
+      CAPTURE(part);
+      CHECK(run.err.find(part) != std::string::npos);
+    }
+    CHECK(fs::is_empty(folder.path()));
+  }
+}
+
+TEST_CASE("Each program explains itself with --help, and names every common option") {
+  for (const Chapter& chapter : all_chapters()) {
+    const Run run = run_program(chapter.program, {"--help"});
+    CAPTURE(chapter.program);
+    CHECK(run.status == 0);
+    CHECK(run.err.empty());
+    for (const std::string option :
+         {"--help", "--out", "--lang", "--json", "--no-figures", "--format", "--theme"})
+      CHECK(run.out.find(option) != std::string::npos);
+  }
+}
+
+TEST_CASE("With --json there is nothing but JSON on standard output") {
+  for (const Chapter& chapter : all_chapters()) {
+    CAPTURE(chapter.program);
+    CHECK(json_of(chapter.program, {}).is_object());
+  }
+}
+
+TEST_CASE("A negative value may follow its option after a space or an equals sign") {
+  CHECK(json_of("plane", {"--from", "-1,0,3"}) == json_of("plane", {"--from=-1,0,3"}));
+  CHECK(json_of("plane", {"--from", "-.5,0,3"}) == json_of("plane", {"--from=-0.5,0,3"}));
+}
+
+TEST_CASE("Numbers in JSON are read back as the doubles that they were") {
+  const json result = json_of("plane", {"--from", "0,0,0.1", "--radius", "0", "--to", "0,0,0.3"});
+  CHECK(result["distance_start"].get<double>() == 0.1);
+  CHECK(result["distance_end"].get<double>() == 0.3);
+  CHECK(
+      run_program("plane", {"--json", "--no-figures", "--from", "0,0,0.1"}).out.find("0.10000000000000001") !=
+      std::string::npos);
+}
+
+TEST_CASE("A contact that does not happen is null") {
+  CHECK(json_of("plane", {"--to", "0,0,9"})["contact"].is_null());
+}
+
+TEST_CASE("Without gnuplot a program writes scripts and numbers, and says what is missing") {
+  const TemporaryFolder folder;
+  const Run run =
+      run_with("GNUPLOT", "no-such-gnuplot", "plane", {"--out", (folder.path() / "out").string()});
+  CHECK(run.status == 0);
+  CHECK(run.err.find("no-such-gnuplot") != std::string::npos);
+  CHECK(run.err.find("gnuplot-nox") != std::string::npos);
+  CHECK(fs::exists(folder.path() / "out" / "figure-03.gp"));
+  CHECK_FALSE(fs::exists(folder.path() / "out" / "figure-03.svg"));
+}
+
+TEST_CASE("A gnuplot that fails is noticed: status 1 and its own words") {
+  const Run run = run_with("GNUPLOT", "false", "plane", {"--out", TemporaryFolder().path().string()});
+  CHECK(run.status == 1);
+  CHECK(run.err.find("status 1") != std::string::npos);
+}
+
+TEST_CASE("A folder that cannot be made is a failure that is named") {
+  const Run run = run_program("plane", {"--out", "/proc/nowhere"});
+  CHECK(run.status == 1);
+  CHECK(run.err.find("/proc/nowhere") != std::string::npos);
+}

@@ -1,0 +1,71 @@
+#include "run_program.hpp"
+
+#include <algorithm>
+#include <boost/process.hpp>
+#include <fstream>
+#include <future>
+#include <iterator>
+#include <sstream>
+
+namespace fs = std::filesystem;
+namespace process = boost::process;
+
+namespace {
+
+std::string all_of(process::ipstream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
+
+Run run(const std::string& name, const std::vector<std::string>& arguments, const fs::path& folder,
+        const process::environment& environment) {
+  process::ipstream out, err;
+  process::child child(std::string(FIRST_CONTACT_BINARY) + "/bin/" + name, process::args = arguments,
+                       process::start_dir = folder.string(),
+                       process::std_in<process::null, process::std_out> out, process::std_err > err,
+                       environment);
+  auto errors =
+      std::async(std::launch::async, [&err] { return all_of(err); });  // both at once, or one could block
+  Run result{0, all_of(out), ""};
+  result.err = errors.get();
+  child.wait();
+  result.status = child.exit_code();
+  return result;
+}
+
+}  // namespace
+
+Run run_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& folder) {
+  return run(name, arguments, folder, boost::this_process::environment());
+}
+
+Run run_with(const std::string& variable, const std::string& value, const std::string& name,
+             const std::vector<std::string>& arguments) {
+  process::environment environment = boost::this_process::environment();
+  environment[variable] = value;
+  return run(name, arguments, fs::temp_directory_path(), environment);
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "first-contact-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder " + name);
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<Chapter> all_chapters() {
+  std::vector<Chapter> chapters;
+  for (const auto& entry : fs::directory_iterator(fs::path(FIRST_CONTACT_SOURCE) / "chapters")) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() > 3 && name[2] == '_') chapters.push_back({name, name.substr(3)});
+  }
+  std::sort(chapters.begin(), chapters.end(),
+            [](const auto& a, const auto& b) { return a.folder < b.folder; });
+  return chapters;
+}
