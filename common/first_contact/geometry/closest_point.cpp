@@ -15,15 +15,15 @@ Point closest_point(const Point& point, const Point& a, const Point& b) {
   return a + along / e.squaredNorm() * e;
 }
 
-Point closest_point(const Point& point, const Triangle& triangle) {
-  const auto& [a, b, c] = triangle;
+Point closest_point(const Point& point, const Point& a, const Point& b, const Point& c) {
   Point best = closest_point(point, a, b);
   const auto offer = [&](const Point& candidate) {
     if ((candidate - point).squaredNorm() < (best - point).squaredNorm()) best = candidate;
   };
   offer(closest_point(point, b, c));
   offer(closest_point(point, c, a));
-  if (const auto weights = weights_where_line_meets(point, Facet(triangle).normal, triangle))
+  const Vector normal = CornerNormal(a, b, c).normal;
+  if (const auto weights = weights_where_line_meets(normal, a - point, b - point, c - point))
     offer(a + weights->y() * (b - a) + weights->z() * (c - a));
   return best;
 }

@@ -9,6 +9,9 @@ Point closest_point(const Point& point, const Point& a, const Point& b);
 
 /// The point of a triangle that is nearest to `point`: the foot of the perpendicular, if it is inside, or
 /// else the nearest point of the three sides. The triangle may be degenerate.
-Point closest_point(const Point& point, const Triangle& triangle);
+Point closest_point(const Point& point, const Point& a, const Point& b, const Point& c);
+inline Point closest_point(const Point& point, const Triangle& triangle) {
+  return closest_point(point, triangle.a, triangle.b, triangle.c);
+}
 
 }  // namespace first_contact
