@@ -111,6 +111,7 @@ class BspTree::Builder {
     Parts parts = part(pieces, *plane);
     pieces.clear();
     keep(number, parts.within);
+    quota -= parts.within.size();
     const std::size_t both = parts.front.size() + parts.back.size();
     const std::size_t front_quota = quota / std::max<std::size_t>(1, both) * parts.front.size();
     const std::uint32_t front = build(std::move(parts.front), front_quota, depth + 1);
