@@ -15,7 +15,6 @@ Bvh::Parts::Parts(Mesh surface)
   bvh::BinaryTree binary;
   if (mesh.size() > 0) binary = bvh::split(mesh, space, neighbours);
   packed = bvh::pack(binary, mesh, space, neighbours);
-  order = std::move(binary.order);
 }
 
 Bvh::Bvh(Mesh mesh) {
@@ -32,7 +31,8 @@ const Mesh& Bvh::mesh() const { return parts_->mesh; }
 
 std::size_t Bvh::bytes() const {
   const Parts& p = *parts_;
-  return p.packed.nodes.size() * sizeof(bvh::Node) + p.packed.leaves.size() + 4 * p.order.size() + p.neighbours.bytes();
+  return p.packed.nodes.size() * sizeof(bvh::Node) + p.packed.leaves.size() +
+         p.packed.places.size() * sizeof(bvh::Place) + p.neighbours.bytes();
 }
 
 const bvh::Walker& bvh::best_walker() {

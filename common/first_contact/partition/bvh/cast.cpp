@@ -65,29 +65,28 @@ void Cast::note_latest() {
   if (tau < 1) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
 
-void Cast::consider(std::uint32_t triangle) {
+void Cast::consider(const Place& place) {
   const auto& vertices = parts_.mesh.vertices();
-  const auto& [a, b, c] = parts_.mesh.faces()[triangle];
+  const auto& [a, b, c] = place.corner;
   const unsigned features = walker_.features_in_time(question_, vertices[a].data(), vertices[b].data(),
                                                      vertices[c].data(), std::min(verdict_.latest(), 1.0));
-  verdict_.consider(triangle, features);
+  verdict_.consider(place.number, {a, b, c}, features);
   if (features != 0) note_latest();
 }
 
 /// The nearest first: often it makes the others too late.
 void Cast::decide() {
-  const std::uint32_t* numbers = &parts_.order[walk_.leaf->first];
-  for (unsigned left = walk_.survivors; left != 0; left &= left - 1) {
-    const auto& [a, b, c] = parts_.mesh.faces()[numbers[std::countr_zero(left)]];
-    for (const std::uint32_t vertex : {a, b, c}) __builtin_prefetch(&parts_.mesh.vertices()[vertex]);
-  }
+  const Place* places = tree_.places + walk_.leaf->first;
+  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
+    for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
+      __builtin_prefetch(&parts_.mesh.vertices()[vertex]);
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
-    if (trace) trace->push_back(numbers[nearest]);
-    consider(numbers[nearest]);
+    if (trace) trace->push_back(places[nearest].number);
+    consider(places[nearest]);
     left &= ~(1u << nearest);
   }
 }

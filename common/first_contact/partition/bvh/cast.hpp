@@ -21,7 +21,7 @@ class Cast {
  private:
   bool enter(const Moving<Sphere>& moving, const Space& space);
   void decide();
-  void consider(std::uint32_t triangle);
+  void consider(const Place& place);
   void note_latest();
 
   const Bvh::Parts& parts_;

@@ -51,7 +51,7 @@ static_assert(sizeof(Node) == 192);
 
 /// The head of a leaf; after it x of all its vertices, then y, then z, as floats relative to the leaf's origin, in the leaf's unit.
 struct LeafHead {
-  std::uint32_t first;      ///< its first triangle has this place in the tree's order of triangles
+  std::uint32_t first;      ///< the place of its first triangle
   std::uint8_t triangles, vertices;
   std::int16_t exponent;    ///< its unit of length is 2^exponent; no coordinate of a vertex is larger than one unit
   std::uint32_t corner[3];  ///< corner a, b, c of triangle j: vertex number (corner >> 4 j) & 15
@@ -59,10 +59,16 @@ struct LeafHead {
 };
 static_assert(sizeof(LeafHead) == 32);
 
+/// A triangle, as a cast needs it that has come to its leaf: its number in the mesh, and the representatives of its corners.
+struct Place {
+  std::uint32_t number, corner[3];
+};
+
 /// The whole tree.
 struct Tree {
   const Node* nodes;
   const unsigned char* leaves;
+  const Place* places;  ///< of the triangles, in the order of the leaves
   Ref root;
   float leaf_size;  ///< the mean size of a leaf
 };

@@ -1,10 +1,13 @@
 #include "first_contact/partition/bvh/pack.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
 #include "first_contact/partition/bvh/collapse.hpp"
+#include "first_contact/partition/bvh/parallel.hpp"
 
 namespace first_contact::bvh {
 
@@ -15,10 +18,13 @@ constexpr std::uint32_t most_in_a_slab = 64;
 /// A unit smaller than this is not needed: the error of a position in the tree's unit is larger.
 constexpr int smallest_exponent = -100;
 
+/// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends.
+constexpr std::size_t read_past_the_end = 64;
+
 class Packer {
  public:
-  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Neighbours& around)
-      : tree_(from), mesh_(surface), space_(unit), neighbours_(around), collapse_(from.branches) {}
+  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Neighbours& around, const Collapse& wide)
+      : tree_(from), mesh_(surface), space_(unit), neighbours_(around), collapse_(wide) {}
 
   PackedTree pack();
 
@@ -28,7 +34,13 @@ class Packer {
   const Mesh::Face& face(std::uint32_t place) const { return mesh_.faces()[tree_.order[place]]; }
 
   std::uint32_t add_leaf(const Branch& leaf);
-  void write_node(std::uint32_t number, std::uint32_t at);
+  Node make_node(std::uint32_t number, const Cover& cover);
+  Node subtree(std::uint32_t number);
+  void attach(Node& parent, std::size_t j, const Node& child);
+  Node append(const Packer& part, Node top);
+  PackedTree finish();
+  template <class Work>
+  void in_turns(const Cover& cover, const Work& work) const;
   void write_children(Node& node, const Cover& cover);
   void write_slab(Node& node, std::size_t j, const Branch& child) const;
   Vector area_vector(const Branch& part) const;
@@ -37,9 +49,10 @@ class Packer {
   const Mesh& mesh_;
   const Space& space_;
   const Neighbours& neighbours_;
-  Collapse collapse_;
+  const Collapse& collapse_;
   PackedTree result_;
   std::size_t leaf_count_ = 0;
+  double sum_of_sizes_ = 0;
 };
 
 /// The different vertices of a leaf, and which of them the corners of its triangles are.
@@ -91,7 +104,7 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
     }
   ++leaf_count_;
   const Floats4 extent = leaf.high - leaf.low;
-  result_.leaf_size += std::max({extent[0], extent[1], extent[2]});
+  sum_of_sizes_ += std::max({extent[0], extent[1], extent[2]});
   return static_cast<std::uint32_t>(at / leaf_unit);
 }
 
@@ -153,7 +166,7 @@ void write_boxes(Node& node, const Branch& whole, const std::vector<Branch>& bra
   }
 }
 
-/// Leaves that are children of one node lie together, and so do its inner children; these are written after all of them.
+/// Leaves that are children of one node lie together, and so do its inner children, for which this makes room.
 void Packer::write_children(Node& node, const Cover& cover) {
   node.first_node = static_cast<std::uint32_t>(result_.nodes.size());
   node.first_leaf = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
@@ -166,33 +179,91 @@ void Packer::write_children(Node& node, const Cover& cover) {
   result_.nodes.resize(result_.nodes.size() + inner);
 }
 
-void Packer::write_node(std::uint32_t number, std::uint32_t at) {
-  const Cover cover = collapse_.children(number);
+Node Packer::make_node(std::uint32_t number, const Cover& cover) {
   Node node{};
   node.count = static_cast<std::uint8_t>(cover.count);
   write_boxes(node, branch(number), tree_.branches, cover);
   write_children(node, cover);
-  for (std::size_t j = 0; j < node.count; ++j) {
-    if (node.child[j] & 128) continue;
-    write_node(cover.branch[j], node.first_node + node.child[j]);
-    node.leaves_of[j] = result_.nodes[node.first_node + node.child[j]].first_leaf;
-  }
-  result_.nodes[at] = node;
+  return node;
 }
 
+Node Packer::subtree(std::uint32_t number) {
+  const Cover cover = collapse_.children(number);
+  Node top = make_node(number, cover);
+  for (std::size_t j = 0; j < top.count; ++j)
+    if (!(top.child[j] & 128)) attach(top, j, subtree(cover.branch[j]));
+  return top;
+}
+
+/// Puts an inner child in its place.
+void Packer::attach(Node& parent, std::size_t j, const Node& child) {
+  result_.nodes[parent.first_node + parent.child[j]] = child;
+  parent.leaves_of[j] = child.first_leaf;
+}
+
+//! [pack_in_parallel]
+/// The subtrees below the root are packed at the same time, each in memory of its own, and then put one behind the other.
 PackedTree Packer::pack() {
-  const std::size_t n = tree_.order.size();
-  result_.nodes.reserve(n / 40 + 1);
-  result_.leaves.reserve(24 * n + 512);
   if (branch(0).leaf()) {
     result_.root = leaf_bit | add_leaf(branch(0));
-  } else {
-    result_.nodes.resize(1);
-    result_.root = 0;
-    write_node(0, 0);
+    return finish();
   }
-  result_.leaf_size /= static_cast<float>(leaf_count_);
-  result_.leaves.resize(result_.leaves.size() + 2 * sizeof(Floats4) * 2);  // the last leaf may be read past its end
+  const Cover cover = collapse_.children(0);
+  result_.nodes.resize(1);
+  Node top = make_node(0, cover);
+  std::vector<Packer> parts(cover.branch.size(), Packer(tree_, mesh_, space_, neighbours_, collapse_));
+  std::array<Node, width> child{};
+  in_turns(cover, [&](std::size_t j) { child[j] = parts[j].subtree(cover.branch[j]); });
+  for (std::size_t j = 0; j < top.count; ++j)
+    if (!(top.child[j] & 128)) attach(top, j, append(parts[j], child[j]));
+  result_.nodes[0] = top;
+  result_.root = 0;
+  return finish();
+}
+//! [pack_in_parallel]
+
+/// Calls work(j) for the inner children of the root, on all processors, the largest first.
+template <class Work>
+void Packer::in_turns(const Cover& cover, const Work& work) const {
+  std::vector<std::size_t> turns;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(cover.count); ++j)
+    if (!branch(cover.branch[j]).leaf()) turns.push_back(j);
+  const auto size = [&](std::size_t j) { return branch(cover.branch[j]).count; };
+  std::sort(turns.begin(), turns.end(), [&](std::size_t i, std::size_t j) { return size(i) > size(j); });
+  std::atomic<std::size_t> next{0};
+  in_parallel_copies(threads_for(tree_.order.size()), [&] {
+    for (std::size_t i = next++; i < turns.size(); i = next++) work(turns[i]);
+  });
+}
+
+/// Puts another packer's nodes and leaves behind this one's. \returns its topmost node, moved
+Node Packer::append(const Packer& part, Node top) {
+  const auto nodes = static_cast<std::uint32_t>(result_.nodes.size());
+  const auto leaves = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
+  const auto move = [&](Node& node) {
+    node.first_node += nodes;
+    node.first_leaf += leaves;
+    for (std::uint32_t& first : node.leaves_of) first += leaves;
+  };
+  result_.nodes.insert(result_.nodes.end(), part.result_.nodes.begin(), part.result_.nodes.end());
+  result_.leaves.insert(result_.leaves.end(), part.result_.leaves.begin(), part.result_.leaves.end());
+  std::for_each(result_.nodes.begin() + nodes, result_.nodes.end(), move);
+  move(top);
+  leaf_count_ += part.leaf_count_;
+  sum_of_sizes_ += part.sum_of_sizes_;
+  return top;
+}
+
+PackedTree Packer::finish() {
+  result_.leaf_size = static_cast<float>(sum_of_sizes_ / static_cast<double>(leaf_count_));
+  result_.leaves.resize(result_.leaves.size() + read_past_the_end);
+  result_.places.resize(tree_.order.size());
+  in_parallel(tree_.order.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      const auto [a, b, c] = neighbours_.corners(face(static_cast<std::uint32_t>(i)));
+      result_.places[i] = {tree_.order[i], {a, b, c}};
+    }
+  });
   return std::move(result_);
 }
 
@@ -200,7 +271,8 @@ PackedTree Packer::pack() {
 
 PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Neighbours& neighbours) {
   if (tree.order.empty()) return {};
-  return Packer(tree, mesh, space, neighbours).pack();
+  const Collapse collapse(tree.branches);
+  return Packer(tree, mesh, space, neighbours, collapse).pack();
 }
 
 }  // namespace first_contact::bvh

@@ -12,6 +12,7 @@ namespace first_contact::bvh {
 struct PackedTree {
   Block<Node> nodes;
   Block<unsigned char> leaves;
+  Block<Place> places;
   Ref root = leaf_bit;
   float leaf_size = 0;  ///< the mean of the longest side of the leaves' boxes
 };

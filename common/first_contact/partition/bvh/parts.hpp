@@ -14,10 +14,11 @@ struct Bvh::Parts {
   Mesh mesh;
   bvh::Space space;
   bvh::Neighbours neighbours;
-  std::vector<std::uint32_t> order;  ///< the number of the triangle at each place of the tree
   bvh::PackedTree packed;
 
-  bvh::Tree tree() const { return {packed.nodes.data(), packed.leaves.data(), packed.root, packed.leaf_size}; }
+  bvh::Tree tree() const {
+    return {packed.nodes.data(), packed.leaves.data(), packed.places.data(), packed.root, packed.leaf_size};
+  }
 };
 
 namespace bvh {

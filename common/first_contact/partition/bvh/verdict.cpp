@@ -33,11 +33,11 @@ bool Verdict::Recent<Key>::seen(const Key& k) {
   return false;
 }
 
-void Verdict::consider(std::uint32_t number, unsigned features) {
+void Verdict::consider(std::uint32_t number, const Mesh::Face& corners, unsigned features) {
   considered_.add(number);
   if (features == 0) return;
-  const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
-  if (features & 1) keep(touch_face(moving_, Facet(mesh_.triangle(number))), corners, number);
+  const auto& [a, b, c] = corners;
+  if (features & 1) keep(touch_face(moving_, Facet({position(a), position(b), position(c)})), corners, number);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
   for (std::size_t slot = 0; slot < 3; ++slot)
@@ -91,6 +91,13 @@ std::uint32_t Verdict::first_face(std::uint32_t from, std::uint32_t to) const {
   return 0;
 }
 
+/// Does the surface go straight on from one face to the other, so that their edge is but a seam?
+bool Verdict::is_seam(const std::vector<Facet>& facets, const std::vector<Vector>& along) const {
+  const auto thin = [&](const Facet& facet) { return facet.thin_for(moving_.shape.radius); };
+  if (facets.size() != 2 || thin(facets[0]) || thin(facets[1])) return false;
+  return kind_of(facets[0], facets[1], along[0], along[0].dot(along[1]) < 0) == EdgeKind::flat;
+}
+
 void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to) {
   const std::array<std::uint32_t, 3> vertices{from, to, to};
   if (clearly_nearest(touch, from, to)) return keep(touch, vertices, first_face(from, to));
@@ -113,13 +120,9 @@ void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to
     along.emplace_back(corners[(slot + 1) % 3] - corners[slot]);
     faces.push_back({&facet, facet.normal.cross(along.back())});
   }
-  const bool thin = std::any_of(facets.begin(), facets.end(),
-                                [&](const Facet& facet) { return facet.thin_for(moving_.shape.radius); });
-  if (sides.size() == 2 && !thin) {
-    const bool opposed = along[0].dot(along[1]) < 0;
-    if (kind_of(facets[0], facets[1], along[0], opposed) == EdgeKind::flat) return;  // its faces answer for it
-  }
-  keep(among_faces(touch, faces, moving_), vertices, sides[0].face);
+  const auto judged = among_faces(touch, faces, moving_);
+  if (!judged || (judged->feature == Feature::edge && is_seam(facets, along))) return;
+  keep(judged, vertices, sides[0].face);
 }
 
 void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
@@ -142,9 +145,9 @@ void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
     edges.emplace_back(position(other) - position(vertex));
     directions.emplace_back(edges.back().normalized());
   }
-  const auto nearest = among_edges(touch, edges, faces, moving_);
-  if (!nearest || (!edges.empty() && buried_by(directions))) return;
-  keep(nearest, {vertex, vertex, vertex}, around[0]);
+  const auto judged = among_edges(touch, edges, faces, moving_);
+  if (!judged || (judged->feature == Feature::vertex && !edges.empty() && buried_by(directions))) return;
+  keep(judged, {vertex, vertex, vertex}, around[0]);
 }
 
 void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face) {

@@ -25,7 +25,10 @@ class Verdict {
   /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc, ca,
   /// the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be touched where another
   /// one is.
-  void consider(std::uint32_t face, unsigned features = 127);
+  /// \param corners  of the face, by their representatives
+  void consider(std::uint32_t face, const Mesh::Face& corners, unsigned features);
+  /// All of them.
+  void consider(std::uint32_t face) { consider(face, neighbours_.corners(mesh_.faces()[face]), 127); }
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
   std::optional<Contact> contact() const;
@@ -60,6 +63,7 @@ class Verdict {
   void consider_vertex(std::uint32_t vertex);
   bool clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const;
   std::uint32_t first_face(std::uint32_t from, std::uint32_t to) const;
+  bool is_seam(const std::vector<Facet>& facets, const std::vector<Vector>& along) const;
   void keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face);
   void keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to);
   void keep_vertex(const Touch& touch, std::uint32_t vertex);
