@@ -8,15 +8,10 @@
 
 #include "first_contact/figure/figure.hpp"
 #include "first_contact/geometry/plane.hpp"
+#include "first_contact/program/numbers.hpp"
 #include "first_contact/program/report.hpp"
 
 namespace first_contact::program {
-
-/// A value that an option must not have; the message names the value and the rule.
-class Refused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// What every chapter shares: options, `--help`, `--json`, `--lang`, `--out`, figures, and the exit status:
 /// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a
