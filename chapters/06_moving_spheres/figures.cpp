@@ -85,8 +85,8 @@ std::vector<Point> circle(double radius) {
   return points;
 }
 
-// The sweep of this run as seen from Q: P has become a point, Q has grown to the radius d, and the square root is half
-// the chord. Drawn in the plane of w and u: x along u, z along the closest approach.
+// The sweep of this run as seen from Q: P has become a point, Q has grown to the radius d, and the square
+// root is half the chord. Drawn in the plane of w and u: x along u, z along the closest approach.
 void draw_closest_approach(const Studio& studio, const Moving<Sphere>& p, const Moving<Sphere>& q) {
   const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
   const double d = p.shape.radius + q.shape.radius, speed = u.norm();
