@@ -24,7 +24,7 @@ struct Apex {
 /// (paper, 1.2). Speeds are positive downwards, as in the paper's programs 1 to 3: v0 = 50 is thrown down, v0 = -50 up.
 /// Without gravity (g = 0) it flies straight: it meets the floor once if thrown down, and then leaves for ever.
 ///
-/// Error of times and speeds: a few eps, relative.
+/// Error of times and speeds: at most 8 eps, relative.
 class Bounce {
  public:
   /// \param height       at time 0, not negative

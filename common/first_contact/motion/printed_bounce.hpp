@@ -35,8 +35,8 @@ struct PrintedMotion {
 };
 
 /// Runs the loop of the programs.
-/// \throws std::invalid_argument if a value is not finite, dt is not positive, y0, g or restitution is negative, or
-///         there is no sample.
+/// \throws std::invalid_argument if a value is not finite, dt is not positive, y0, g or restitution is negative,
+///         there is no sample, or a height overflows.
 PrintedMotion run(const PrintedBounce& bounce);
 
 /// The tops of the arcs: the samples that are higher than the one before and not lower than the next.
