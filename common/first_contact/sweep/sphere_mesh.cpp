@@ -42,9 +42,9 @@ class FirstTouch {
   bool too_late(const std::optional<Touch>& touch) const {
     return !touch || (first_ && touch->time > first_->time);
   }
-  void keep(const std::optional<Touch>& touch, const Vertices& vertices, std::size_t triangle);
+  void keep(const Touch& touch, const Vertices& vertices, std::size_t triangle);
   const Point& position(std::uint32_t vertex) const { return environment_.mesh().vertices()[vertex]; }
-  bool answered_by_faces(const MeshEdges::Edge& edge) const;
+  bool speaks_for_itself(const MeshEdges::Edge& edge) const;
   std::size_t lowest_triangle() const;
 
   const Moving<Sphere>& moving_;
@@ -54,8 +54,8 @@ class FirstTouch {
   std::size_t triangle_ = no_triangle;  // one that has this feature
 };
 
-void FirstTouch::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::size_t triangle) {
-  if (!touch || (first_ && !earlier(*touch, *first_))) return;
+void FirstTouch::keep(const Touch& touch, const Vertices& vertices, std::size_t triangle) {
+  if (first_ && !earlier(touch, *first_)) return;
   first_ = touch;
   vertices_ = vertices;
   triangle_ = triangle;
@@ -64,16 +64,15 @@ void FirstTouch::keep(const std::optional<Touch>& touch, const Vertices& vertice
 void FirstTouch::face(std::size_t number) {
   const Mesh::Face& corners = environment_.mesh().faces()[number];
   const auto merged = [&](std::uint32_t vertex) { return environment_.topology().representative(vertex); };
-  keep(touch_face(moving_, environment_.facet(number)),
-       {merged(corners[0]), merged(corners[1]), merged(corners[2])}, number);
+  if (const auto touch = touch_face(moving_, environment_.facet(number)))
+    keep(*touch, {merged(corners[0]), merged(corners[1]), merged(corners[2])}, number);
 }
 
-/// Where the surface goes straight on, its faces cover the edge, provided that they are not too thin
-/// themselves.
-bool FirstTouch::answered_by_faces(const MeshEdges::Edge& edge) const {
+/// Where the surface goes straight on, an edge is but a seam of its faces, unless they are too thin to answer for it.
+bool FirstTouch::speaks_for_itself(const MeshEdges::Edge& edge) const {
   const auto sides = environment_.topology().sides(edge);
-  return edge.kind == EdgeKind::flat &&
-         std::none_of(sides.begin(), sides.end(), [&](const MeshEdges::Side& side) {
+  return edge.kind != EdgeKind::flat ||
+         std::any_of(sides.begin(), sides.end(), [&](const MeshEdges::Side& side) {
            return environment_.facet(side.face).thin_for(moving_.shape.radius);
          });
 }
@@ -81,7 +80,6 @@ bool FirstTouch::answered_by_faces(const MeshEdges::Edge& edge) const {
 //! [first_touch_edge]
 void FirstTouch::edge(std::size_t number) {
   const MeshEdges::Edge& edge = environment_.topology().edges()[number];
-  if (answered_by_faces(edge)) return;
   const auto& [from, to] = edge.vertices;
   const auto touch = touch_edge(moving_, position(from), position(to));
   if (too_late(touch)) return;
@@ -92,14 +90,16 @@ void FirstTouch::edge(std::size_t number) {
     const std::array<Point, 3> corners{facet.triangle.a, facet.triangle.b, facet.triangle.c};
     faces.push_back({&facet, facet.normal.cross(corners[(slot + 1) % 3] - corners[slot])});
   }
-  keep(among_faces(*touch, faces, moving_), {from, to, to}, environment_.topology().sides(edge)[0].face);
+  const auto judged = among_faces(*touch, faces, moving_);
+  if (!judged || (judged->feature == Feature::edge && !speaks_for_itself(edge))) return;
+  keep(*judged, {from, to, to}, environment_.topology().sides(edge)[0].face);
 }
 //! [first_touch_edge]
 
 //! [first_touch_vertex]
 void FirstTouch::vertex(std::uint32_t number) {
   const MeshEdges& topology = environment_.topology();
-  if (topology.buried(number)) return;
+  if (topology.faces_at(number).empty()) return;
   const auto touch = touch_vertex(moving_, position(number));
   if (too_late(touch)) return;
 
@@ -111,7 +111,9 @@ void FirstTouch::vertex(std::uint32_t number) {
   std::vector<FaceAround> faces;
   for (const std::uint32_t face : topology.faces_at(number))
     faces.push_back({&environment_.facet(face), Vector::Zero()});
-  keep(among_edges(*touch, edges, faces, moving_), {number, number, number}, topology.faces_at(number)[0]);
+  const auto judged = among_edges(*touch, edges, faces, moving_);
+  if (!judged || (judged->feature == Feature::vertex && topology.buried(number))) return;
+  keep(*judged, {number, number, number}, topology.faces_at(number)[0]);
 }
 //! [first_touch_vertex]
 
