@@ -100,7 +100,7 @@ void draw_valley(const Studio& studio) {
   scene.sphere({at(r, r), r}, colour::amber, 0.5);
   scene.dot(at(0, 0));
   scene.dot(at(r, r));
-  scene.label("{/:Italic C}", at(r, r), 0.9, 0.6);
+  scene.label("{/:Italic C}", at(r, r), -0.9, 0.7);
   scene.arrow(at(3.0, 2.2), at(r + 0.06, r + 0.04));
   finish(studio, "figure-08", scene);
 }
@@ -146,14 +146,15 @@ void draw_printed_cylinder(const program::Program& program) {
   scene.sphere({right, r}, colour::amber, 0.5);
   scene.arrow(start, right);
   for (const Point& p : {edge, moved, early, right}) scene.dot(p);
-  scene.label(program.say({"as printed", "論文所印"}), early + at(r, 0), 0.6, 0, colour::pink, Align::left);
+  scene.label(program.say({"as printed", "論文所印"}), early - at(r, 0), -0.6, 0.4, colour::pink,
+              Align::right);
   scene.label(program.say({"corrected", "修正"}), at(r, -0.25), 0.8, -1.2, colour::green, Align::left);
   finish(program.studio(), "printed-cylinder", scene);
 }
 
 // All faces, edges and vertices moved out: the Minkowski sum of the solid and a ball.
 void draw_minkowski_sum(const Studio& studio) {
-  figure::Scene scene({66, 32});
+  figure::Scene scene({66, 32}, 0.09);
   const Environment solid_body{general_sphere_chapter::cut_cube()};
   const double r = 0.35;
   scene.mesh(solid_body.mesh(), {colour::sky, 1, true}, true, 0);
@@ -162,8 +163,8 @@ void draw_minkowski_sum(const Studio& studio) {
   scene.arrow({-0.1, 0.3, 0.8}, {-0.1, 0.3, 0.8 + r}, {colour::red, 2.4}, 3);
   scene.label("{/:Italic r}", {-0.1, 0.3, 0.8 + 0.5 * r}, 0.9, 0, colour::red);
   scene.label("{/:Italic P}", {-0.1, -0.8, -0.1}, 0, 0);
-  scene.label("{/:Italic P} ⊕ {/:Italic B}_{/:Italic r}", {1.15, 1.15, 1.2}, 1.6, 0.4, colour::ink,
-              Align::left);
+  scene.label("{/:Italic P} ⊕ {/:Italic B}_{/:Italic r}", {1.15, 1.15, 1.15}, 0, 1.6, colour::ink,
+              Align::right);
   finish(studio, "minkowski-sum", scene);
 }
 

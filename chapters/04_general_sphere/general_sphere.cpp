@@ -20,8 +20,8 @@ namespace {
 //! [scene]
 struct Scene {
   std::string mesh = "cut cube";
-  Point from{1.9, -2.3, 0.9};
-  Point to{0.3, -0.6, 0.1};
+  Point from{2.6, -0.5, 2.0};
+  Point to{0.4, 0.1, 0.5};
   double radius = 0.35;
   std::string casts = "none", results = "none";
 };

@@ -10,7 +10,7 @@ using namespace first_contact::figure;
 namespace {
 
 constexpr int steps = 10;  // of a quarter circle or so
-constexpr double opacity = 0.38;
+constexpr double opacity = 0.3;
 
 // The direction between two unit vectors, at equal angles.
 Vector between(const Vector& a, const Vector& b, double share) {
