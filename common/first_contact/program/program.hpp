@@ -73,6 +73,8 @@ class Program {
 
   Report& report();
   Json& json();
+  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as JSON.
+  void value(const std::string& name, double number);
   Language language() const;
   /// Text in the language of this run.
   const std::string& say(const Text& text) const { return text.in(language()); }
