@@ -1,0 +1,48 @@
+// Doxygen's pages become the book's: tokens in their place, contents beside them, landmarks, and the style of formulas
+// and figures.
+import {writeFileSync} from 'node:fs';
+import {basename, join} from 'node:path';
+import {chapters, complain, filesBelow, html, otherPages, read} from './book.mjs';
+import {figureStyle} from './figure.mjs';
+import {formulaStyle, shareGlyphs} from './formula.mjs';
+import {contents} from './generated.mjs';
+import {tokens} from './weave.mjs';
+
+const ours = new Map([...chapters, ...otherPages].map((page) => [page.id.replaceAll('_', '-'), page]));
+
+function placeTokens(page, name) {
+  const placed = page
+      .replace(/<p\b[^>]*>\s*\uE000(\d+)\uE001\s*<\/p>/g, (_, n) => tokens[n].html)
+      .replace(/\uE000(\d+)\uE001/g, (_, n) => {
+        if (tokens[n].block) complain(name, `a block stands within a paragraph: ${tokens[n].html.slice(0, 60)}`);
+        return tokens[n].html;
+      });
+  return placed;
+}
+
+const sectionsOf = (page) =>
+  [...page.matchAll(/<h2><a class="anchor" id="([^"]+)"><\/a>\s*([^<]+?)\s*<\/h2>/g)].map(([, id, title]) => ({id, title}));
+
+function landmarks(page) {
+  return page
+      .replace(/<div class="title">([\s\S]*?)<\/div>/, '<h1 class="title">$1</h1>')
+      .replace(/<(h[2-6])><a class="anchor" id="([^"]+)"><\/a>\s*([\s\S]*?)<\/\1>/g, '<$1 id="$2">$3</$1>')
+      .replace('<div class="contents">', '<div class="contents">')
+      .replace(/ (cellspacing|cellpadding|border)="\d+"/g, '')
+      .replace(/<input type="text" id="MSearchField"/, '<input type="text" id="MSearchField" aria-label="Search titles and names"')
+      .replace(/<img id="MSearchSelect"[^>]*alt=""/, (whole) => whole)
+      .replace(/<iframe /g, '<iframe title="Search results" ');
+}
+
+/// Doxygen names a page after its label; ours have the names that links use.
+export function finish() {
+  for (const path of filesBelow(html, (file) => file.endsWith('.html'))) {
+    const name = basename(path);
+    if (path.includes('/search/')) continue;
+    let page = placeTokens(read(path), name);
+    const sections = ours.has(name.replace('.html', '')) ? sectionsOf(page) : [];
+    page = landmarks(page).replace('<!--contents-->', contents(name, sections));
+    writeFileSync(path, shareGlyphs(page));
+  }
+  writeFileSync(join(html, 'made.css'), formulaStyle() + '\n' + figureStyle());
+}
