@@ -22,8 +22,10 @@ struct Box {
   static constexpr double perpendicular_tolerance = 5e-7;
 
   Point center;  ///< Q
-  /// R, S, T, as long as the box is.
+  ///@{
+  /// An axis, as long as the box is.
   Vector r, s, t;
+  ///@}
 };
 
 }  // namespace first_contact
