@@ -50,12 +50,12 @@ export function inlineFigure(path, prefix, alternative) {
   });
 }
 
-/// The colours of figures on a dark page, by the reader's wish or by the system's.
+/// The colours of figures, each for a light page and a dark one.
 export function figureStyle() {
-  const rules = (scope) => [...darkRules].sort().map((rule) => `${scope} figure svg ${rule}`).join('\n');
-  return 'figure svg [fill="#ffffff"]{fill:var(--page-background-color)}\n' +
-         `@media screen{\n${rules('html.dark-mode')}\n` +
-         'html.dark-mode figure svg [fill="#ffffff"]{fill:var(--page-background-color)}\n}\n' +
-         `@media screen and (prefers-color-scheme:dark){\n${rules('html:not(.light-mode)')}\n` +
-         'html:not(.light-mode) figure svg [fill="#ffffff"]{fill:var(--page-background-color)}\n}\n';
+  const rules = [...darkRules].sort().map((rule) => {
+    const [, name, light, dark] = /^\[([a-z]+)="([^"]*)"\]\{[a-z]+:([^}]*)\}/.exec(rule);
+    const paper = light === '#ffffff' ? 'var(--paper)' : `light-dark(${light}, ${dark})`;
+    return `figure svg [${name}="${light}"] { ${name}: ${paper}; }`;
+  });
+  return rules.join('\n') + '\n';
 }

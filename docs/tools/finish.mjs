@@ -21,16 +21,19 @@ function placeTokens(page, name) {
 }
 
 const sectionsOf = (page) =>
-  [...page.matchAll(/<h2><a class="anchor" id="([^"]+)"><\/a>\s*([^<]+?)\s*<\/h2>/g)].map(([, id, title]) => ({id, title}));
+  [...page.matchAll(/<h1><a class="anchor" id="([^"]+)"><\/a>\s*([^<]+?)\s*<\/h1>/g)].map(([, id, title]) => ({id, title}));
 
+// Doxygen begins sections at <h1>; here that is the page's title, and sections follow below it.
 function landmarks(page) {
   return page
-      .replace(/<div class="title">([\s\S]*?)<\/div>/, '<h1 class="title">$1</h1>')
-      .replace(/<(h[2-6])><a class="anchor" id="([^"]+)"><\/a>\s*([\s\S]*?)<\/\1>/g, '<$1 id="$2">$3</$1>')
-      .replace('<div class="contents">', '<div class="contents">')
-      .replace(/ (cellspacing|cellpadding|border)="\d+"/g, '')
-      .replace(/<input type="text" id="MSearchField"/, '<input type="text" id="MSearchField" aria-label="Search titles and names"')
-      .replace(/<img id="MSearchSelect"[^>]*alt=""/, (whole) => whole)
+      .replace(/<(h[1-5])><a class="anchor" id="([^"]+)"><\/a>\s*([\s\S]*?)<\/\1>/g, (_, level, id, title) => {
+        const lower = `h${+level[1] + 1}`;
+        return `<${lower} id="${id}">${title.trim()}</${lower}>`;
+      })
+      .replace(/<div class="title">([\s\S]*?)\s*<\/div>/, '<h1 class="title">$1</h1>')
+      .replace(/<p ?><a class="anchor" id="[^"]*"><\/a><\/p>\s*/, '')
+      .replace(/ (cellspacing|cellpadding|border|frameborder)="\d+"/g, '')
+      .replace('id="MSearchField"', 'id="MSearchField" aria-label="Search titles and names"')
       .replace(/<iframe /g, '<iframe title="Search results" ');
 }
 

@@ -54,6 +54,7 @@ using ContactPoints = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 
 /// The number of no triangle.
 inline constexpr std::size_t no_triangle = std::numeric_limits<std::size_t>::max();
 
+//! [contact]
 /// The first contact of a sweep.
 struct Contact {
   double time;                         ///< t in [0, 1] (or in the interval that was asked for)
@@ -65,5 +66,6 @@ struct Contact {
   /// The one point of the contact; of an edge or a face, its middle.
   Point point() const { return points.rowwise().mean(); }
 };
+//! [contact]
 
 }  // namespace first_contact
