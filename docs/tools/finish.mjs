@@ -32,6 +32,7 @@ function landmarks(page) {
       })
       .replace(/<div class="title">([\s\S]*?)\s*<\/div>/, '<h1 class="title">$1</h1>')
       .replace(/<p ?><a class="anchor" id="[^"]*"><\/a><\/p>\s*/, '')
+      .replace(/<div class="line">(?:<a [^>]*><\/a>)?(?: |&#160;)*<span class="comment">\/\/! \[\w+\]<\/span><\/div>\n?/g, '')
       .replace(/ (cellspacing|cellpadding|border|frameborder)="\d+"/g, '')
       .replace('id="MSearchField"', 'id="MSearchField" aria-label="Search titles and names"')
       .replace(/<iframe /g, '<iframe title="Search results" ');

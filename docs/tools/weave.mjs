@@ -117,7 +117,7 @@ class Page {
       [/\[([^\]]+)\]\(([^)\s]+\.md(?:#[\w.-]+)?|#[\w.-]+)\)/g, (i, label, target) =>
         `<a href="${this.link(target, i)}">${this.asHtml(label, i)}</a>`],
     ].map(([rule, make]) => [rule, (i, ...found) => keep(make(start + i, ...found))]);
-    return cut(text, rules).map(({words, done}) => done ?? words).join('');
+    return cut(text, rules).map(({words, done}) => done ?? words.replace(/(?<=[\p{L}\d])'/gu, '’')).join('');
   }
 
   // A caption or a label: all of it is made HTML here.
@@ -168,7 +168,7 @@ class Page {
     const path = join(root, 'chapters', file);
     const text = this.attempt(index, () => read(path).trimEnd());
     const lines = text.split('\n').map((line) => `<span class="line">${escape(line) || ' '}</span>`).join('\n');
-    return blockToken(`<div class="where">What it prints</div><pre class="output">${lines}</pre>`);
+    return blockToken(`<div class="where">chapters/${escape(file)}</div><pre class="output">${lines}</pre>`);
   }
 
   fence(language, body, index) {
