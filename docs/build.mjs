@@ -1,12 +1,12 @@
 // Builds the notes into build/notes/html: every program is run, the essays are woven, Doxygen makes the pages.
 import {existsSync, mkdirSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {build, chapters, otherPages, stopIfWrong, html} from './tools/book.mjs';
+import {binaries, build, chapters, data, html, otherPages, stopIfWrong} from './tools/book.mjs';
 import {runDoxygen} from './tools/doxygen.mjs';
 import {finish} from './tools/finish.mjs';
 import {chapterFoot, chapterHead, chapterList, chapterMap} from './tools/generated.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
-import {runPrograms} from './tools/values.mjs';
+import {runNamed, runPrograms} from './tools/values.mjs';
 import {shown, weave} from './tools/weave.mjs';
 
 const pages = join(build, 'pages');
@@ -15,6 +15,8 @@ rmSync(html, {recursive: true, force: true});
 mkdirSync(pages, {recursive: true});
 
 runPrograms();
+for (const [name, line] of Object.entries(data('paper-map.json').runs))
+  if (existsSync(join(binaries, line.split(' ')[0]))) runNamed(name, line);
 
 const missing = chapters.filter((chapter) => !existsSync(chapter.source));
 for (const chapter of chapters) {

@@ -31,6 +31,7 @@ function landmarks(page) {
         return `<${lower} id="${id}">${title.trim()}</${lower}>`;
       })
       .replace(/<div class="title">([\s\S]*?)\s*<\/div>/, '<h1 class="title">$1</h1>')
+      .replace(/\s*<div class="summary">[\s\S]*?<\/div>/, '')
       .replace(/<p ?><a class="anchor" id="[^"]*"><\/a><\/p>\s*/, '')
       .replace(/<div class="line">(?:<a [^>]*><\/a>)?(?: |&#160;)*<span class="comment">\/\/! \[\w+\]<\/span><\/div>\n?/g, '')
       .replace(/ (cellspacing|cellpadding|border|frameborder)="\d+"/g, '')
@@ -45,6 +46,8 @@ export function finish() {
     if (path.includes('/search/')) continue;
     let page = placeTokens(read(path), name);
     const sections = ours.has(name.replace('.html', '')) ? sectionsOf(page) : [];
+    if (!page.includes('<div class="title">'))  // Doxygen's lists of names have none
+      page = page.replace('<div class="contents">', '<div class="header"><div class="title">All names</div></div><div class="contents">');
     page = landmarks(page).replace('<!--contents-->', contents(name, sections));
     writeFileSync(path, shareGlyphs(page));
   }

@@ -24,6 +24,7 @@ export function runPrograms() {
 /// A further run that an essay asks for: <!-- run steep: plane --to 0,0,-3 -->
 export function runNamed(name, line) {
   const [program, ...options] = line.trim().split(/\s+/);
+  if (!chapters.some((chapter) => chapter.program === program)) throw new Error(`there is no program ${program}`);
   run(program, `${program}@${name}`, options);
 }
 
