@@ -1,5 +1,7 @@
 #include "first_contact/sweep/sphere_plane.hpp"
 
+#include <cmath>
+
 #include "catch.hpp"
 
 using namespace first_contact;
@@ -53,4 +55,40 @@ TEST_CASE("Sphere and plane overlap from touching on, on both sides") {
   CHECK(overlap(Sphere{{7, 0, 1}, 1}, floor_plane));
   CHECK(overlap(Sphere{{7, 0, -0.5}, 1}, floor_plane));
   CHECK_FALSE(overlap(Sphere{{7, 0, -1.5}, 1}, floor_plane));
+}
+TEST_CASE("The point of an overlapping sphere is on the plane: the foot of its centre") {
+  CHECK(drop(0.5, 0)->point() == Point(0, 0, 0));
+  CHECK(drop(-0.25, 0)->point() == Point(0, 0, 0));
+  CHECK(drop(0, 1)->point() == Point(0, 0, 0));
+}
+TEST_CASE("A sphere and a plane scaled by a power of two give the bitwise scaled answer") {
+  const Vector n{1, -2, 0.3}, v{-4, 5, 1};
+  const Sphere sphere{{3, -1, 2}, 0.7};
+  const auto here = sweep(Moving{sphere, v}, Plane(n, 0.1));
+  REQUIRE(here);
+  for (const int power : {-500, -40, 3, 500}) {
+    const double scale = std::ldexp(1.0, power);
+    const Sphere scaled{scale * sphere.center, scale * sphere.radius};
+    const auto there = sweep(Moving{scaled, Vector(scale * v)}, Plane(n, scale * 0.1));
+    CAPTURE(power);
+    REQUIRE(there);
+    CHECK(here->time == there->time);
+    CHECK(here->normal == there->normal);
+    CHECK(scale * here->points == there->points);
+  }
+}
+
+// Published mistakes of libraries, as numbers: the plane is N.Q = offset. A ray is a moving sphere of radius 0.
+
+TEST_CASE("A ray that meets a tilted plane does so: one library took the root of a negative number (ofxRay#18)") {
+  const Plane tilted({0.0015, 0.5, -0.866}, 36.80498035);
+  const auto contact = sweep(Moving{Sphere{{0, 0, 0}, 0}, {0, 0, 100}}, tilted);
+  REQUIRE(contact);
+  CHECK(contact->time == Approx(0.424999773094688237).epsilon(1e-15));
+  CHECK(contact->normal.isApprox(Vector(0.0015000313134805067, 0.5000104378268356, -0.8660180783160792), 1e-15));
+}
+TEST_CASE("A ray that leaves a plane does not meet it: one library said at distance 0 (sharpdx/SharpDX#438)") {
+  const Plane plane({0, 0.7071067690849304, 0.7071067690849304}, -3.535533905029297);
+  const Sphere point{{6.666666507720947, 3.3333332538604736, 3.3333332538604736}, 0};
+  CHECK_FALSE(sweep(Moving{point, {-0.4999999701976776, 0.4999999701976776, 0.4999999701976776}}, plane));
 }

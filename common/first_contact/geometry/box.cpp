@@ -7,7 +7,7 @@ namespace first_contact {
 namespace {
 
 void require_perpendicular(const Vector& a, const Vector& b, const std::string& names) {
-  if (std::abs(a.dot(b)) <= Box::perpendicular_tolerance * a.norm() * b.norm()) return;
+  if (std::abs(a.stableNormalized().dot(b.stableNormalized())) <= Box::perpendicular_tolerance) return;
   throw std::invalid_argument("box's axes " + names + " (" + to_text(a) + ") and (" + to_text(b) +
                               "): must be perpendicular");
 }
@@ -23,6 +23,7 @@ Box::Box(const Point& q, const Vector& along_r, const Vector& along_s, const Vec
   require_perpendicular(r, s, "R, S");
   require_perpendicular(s, t, "S, T");
   require_perpendicular(t, r, "T, R");
+  require_length(r.stableNorm() + s.stableNorm() + t.stableNorm(), "box's lengths together");
 }
 
 //! [effective_radius]

@@ -9,7 +9,8 @@ namespace first_contact {
 /// An oriented box (paper, 1.3): its centre and its three axes R, S, T, at right angles to each other, each as long
 /// as the box is in that direction. A box may be flat (an axis of length 0).
 struct Box {
-  /// \throws std::invalid_argument if a coordinate is not finite, or two axes are not perpendicular.
+  /// \throws std::invalid_argument if a coordinate or the sum of the lengths is not finite, or two axes
+  ///         are not perpendicular.
   Box(const Point& q, const Vector& along_r, const Vector& along_s, const Vector& along_t);
 
   /// r_eff = 1/2 (|R.N| + |S.N| + |T.N|): how far the box reaches from its centre along a unit vector (paper, 1.3).

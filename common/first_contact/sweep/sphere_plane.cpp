@@ -27,7 +27,8 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Plane& plane) {
   const double t = std::max(0.0, -gap / approach);  // overlapping and going deeper: now
   if (!(t <= 1)) return std::nullopt;               // not within this motion
   const Point touching = center + t * moving.displacement;
-  return Contact{t, touching - radius * normal, normal, Feature::face};
+  const double reach = std::min(radius, std::abs(distance));  // overlapping: only as far as the plane
+  return Contact{t, touching - reach * normal, normal, Feature::face};
 }
 //! [sweep_sphere_plane]
 

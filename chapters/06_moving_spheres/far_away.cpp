@@ -1,0 +1,70 @@
+#include "far_away.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "first_contact/sweep/contact_times.hpp"
+
+using namespace first_contact;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Uniform in [-1, 1], the same with every standard library.
+double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
+
+Vector unit_vector(std::mt19937& random) {
+  Vector v;
+  do v = {uniform(random), uniform(random), uniform(random)};
+  while (v.squaredNorm() > 1 || v.squaredNorm() < 0.01);
+  return v.normalized();
+}
+
+//! [far_away]
+// One shot from `distance` away: how far off the contact is, infinite if the formula does not find it; nothing if the
+// spheres, rounded to this precision, truly miss each other.
+template <class Scalar>
+std::optional<double> error_of_one(Formula formula, double distance, std::mt19937& random) {
+  constexpr Scalar d = 2;
+  const Vector direction = unit_vector(random), across = direction.unitOrthogonal();
+  const Vector start = d * (0.9 * uniform(random) * across - distance * direction);
+  const Vector3<Scalar> w = start.cast<Scalar>(), u = direction.cast<Scalar>();
+
+  const auto truth =
+      contact_times<long double>(w.template cast<long double>(), u.template cast<long double>(), d);
+  if (!truth) return std::nullopt;
+  const auto times = formula == Formula::textbook ? textbook_times(w, u, d) : contact_times(w, u, d);
+  return times ? static_cast<double>(std::abs(times->begin - truth->begin) / d) : infinite;  // u is 1 long
+}
+//! [far_away]
+
+template <class Scalar>
+FarAway measure_from(Formula formula, double distance, std::mt19937& random) {
+  std::vector<double> errors;
+  for (int shot = 0; shot < 2000; ++shot)
+    if (const auto error = error_of_one<Scalar>(formula, distance, random)) errors.push_back(*error);
+  std::sort(errors.begin(), errors.end());
+  const auto lost = static_cast<double>(std::count(errors.begin(), errors.end(), infinite));
+  return {distance, errors[errors.size() / 2], lost / static_cast<double>(errors.size())};
+}
+
+}  // namespace
+
+template <class Scalar>
+std::vector<FarAway> measure(Formula formula) {
+  std::mt19937 random(1);
+  std::vector<FarAway> results;
+  // Beyond 1 / eps, neighbouring numbers are farther apart than the spheres are wide.
+  for (int half_decade = 0; half_decade <= 20; ++half_decade) {
+    const double distance = std::pow(10, half_decade / 2.0);
+    if (distance * std::numeric_limits<Scalar>::epsilon() > 1) break;
+    results.push_back(measure_from<Scalar>(formula, distance, random));
+  }
+  return results;
+}
+
+template std::vector<FarAway> measure<float>(Formula);
+template std::vector<FarAway> measure<double>(Formula);

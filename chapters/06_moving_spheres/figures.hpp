@@ -1,0 +1,9 @@
+#pragma once
+#include "first_contact/geometry/sphere.hpp"
+#include "first_contact/program/program.hpp"
+#include "first_contact/sweep/contact.hpp"
+
+/// Figures 11 and 12 of the paper, the closest approach of this run, and the errors of the two formulas.
+void draw_moving_spheres_figures(const first_contact::program::Program& program,
+                                 const first_contact::Moving<first_contact::Sphere>& p,
+                                 const first_contact::Moving<first_contact::Sphere>& q);

@@ -1,0 +1,115 @@
+// Chapter 6: two moving spheres meet, and part again (paper, 2.3).
+#include "far_away.hpp"
+#include "figures.hpp"
+#include "first_contact/program/program.hpp"
+#include "first_contact/sweep/sphere_sphere.hpp"
+#include "scene.hpp"
+
+using namespace first_contact;
+using namespace first_contact::program;
+
+namespace {
+
+//! [report]
+// The distance of the centres, and when they are d = rP + rQ apart.
+void tell_roots(Report& report, const Moving<Sphere>& p, const Moving<Sphere>& q) {
+  const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
+  report.say({"As seen from Q: P moves with u, and they touch when their centres are d apart",
+              "由 Q 看 P：以相對速度 u 移動，球心距離為 d 時相接觸"});
+  report.row("w = P1 - Q1", w, {"from centre to centre at t = 0", "t = 0 時兩球心的差"});
+  report.row("u = VP - VQ", u, {"difference of the velocities", "速度差"});
+  report.row("d = rP + rQ", p.shape.radius + q.shape.radius, {"sum of the radii", "半徑和"});
+  const auto times = contact_interval(p, q);
+  if (u.squaredNorm() > 0) {
+    report.row("-w.u/u^2", -w.dot(u) / u.squaredNorm(), {"time of the closest approach", "最接近的時間"});
+    report.row("|w x u|/|u|", accurate_cross(w, u).norm() / u.norm(),
+               {"distance of the centres then; they meet if it is at most d",
+                "最接近時的球心距離；不大於 d 才會碰撞"});
+  }
+  if (!times)
+    return report.say({"The spheres never touch, or never part: no real root.", "沒有實根：沒有發生碰撞"});
+  report.row("t1", times->begin, {"the smaller root: contact begins", "較小的根：碰撞開始"});
+  report.row("t2", times->end, {"the larger root: the spheres part", "較大的根：分離開始"});
+}
+
+void tell_contact(Report& report, const Meeting& meeting, const Interval& when) {
+  const std::string within = readable(when.first) + " <= t <= " + readable(when.last);
+  if (!meeting.contact)
+    return report.say({"No contact within " + within + ".", within + " 之間沒有發生碰撞"});
+  const Contact& contact = *meeting.contact;
+  report.say({"The contact within " + within, within + " 之間發生碰撞"});
+  report.row("t", contact.time, {"time of contact", "碰撞時間"});
+  report.row("P(t) = P1 + t VP", meeting.p, {"centre of P", "P 的球心"});
+  report.row("Q(t) = Q1 + t VQ", meeting.q, {"centre of Q", "Q 的球心"});
+  report.row("N = (Q - P)/|Q - P|", Vector(-contact.normal),
+             {"the paper's normal, from P to Q; our contact's is its opposite", "法向量，由 P 至 Q"});
+  report.row("C = P(t) + rP N", contact.point(), {"point of contact", "碰撞點"});
+}
+
+// The printed root and the stable one, from far away, in the arithmetic of most games.
+void tell_errors(Report& report) {
+  const auto digits = [](double value, const char* unit) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1e%s", value, unit);
+    return std::string(text);
+  };
+  const auto printed = measure<float>(Formula::textbook), stable = measure<float>(Formula::closest_approach);
+  const auto tell = [&](const std::vector<FarAway>& results) {
+    for (const std::size_t i : {4U, 6U, 8U}) {
+      const std::string from = readable(results[i].distance), lost = readable(100 * results[i].lost) + "%";
+      report.row("from " + from + " d", digits(results[i].error, " d"),
+                 {"how far off the contact is (median); hits lost: " + lost,
+                  "碰撞位置的誤差（中位數）；漏失的碰撞：" + lost});
+    }
+  };
+  report.say(
+      {"As printed, in single precision: (w.u)^2 - u^2 (w^2 - d^2) cancels if the spheres come from far away",
+       "論文所印（單精度）：距離遠時 (w.u)^2 - u^2 (w^2 - d^2) 幾乎相消"});
+  tell(printed);
+  report.say({"Corrected: the same root as u^2 d^2 - |w x u|^2, by the closest approach",
+              "修正：改以最接近距離計算，根號內為 u^2 d^2 - |w x u|^2"});
+  tell(stable);
+}
+//! [report]
+
+Json results(const Meeting& meeting) {
+  Json json;
+  json["contact"] = nullptr;
+  if (const auto& contact = meeting.contact)
+    json["contact"] = {{"time", contact->time},
+                       {"p", to_json(meeting.p)},
+                       {"q", to_json(meeting.q)},
+                       {"point", to_json(contact->point())},
+                       {"normal", to_json(contact->normal)}};
+  json["separation_time"] = meeting.separation ? Json(*meeting.separation) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("moving_spheres", "06_moving_spheres",
+                  "Two moving spheres meet, and part again (paper, 2.3).");
+  Scene scene;
+  program.option("--p1", scene.p1, "x,y,z", "centre of the sphere P at t = 0");
+  program.option("--p2", scene.p2, "x,y,z", "centre of P at t = 1");
+  program.option("--rp", scene.rp, "r", "radius of P", not_negative);
+  program.option("--q1", scene.q1, "x,y,z", "centre of the sphere Q at t = 0");
+  program.option("--q2", scene.q2, "x,y,z", "centre of Q at t = 1");
+  program.option("--rq", scene.rq, "r", "radius of Q", not_negative);
+  program.option("--interval", scene.interval, "a,b", "the times between which a contact counts");
+  return program.run(argc, argv, [&] {
+    const auto p = program.checked("--p2", [&] { return scene.p(); });
+    const auto q = program.checked("--q2", [&] { return scene.q(); });
+    const auto when = program.checked("--interval", [&] { return scene.when(); });
+    const Meeting meeting(p, q, when);
+    program.report().title({"Two moving spheres", "兩個移動球面的碰撞"}, "2.3");
+    tell_roots(program.report(), p, q);
+    tell_contact(program.report(), meeting, when);
+    tell_errors(program.report());
+    program.json() = results(meeting);
+    if (program.draws()) draw_moving_spheres_figures(program, p, q);
+  });
+}
+//! [main]

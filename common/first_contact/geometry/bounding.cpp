@@ -1,0 +1,103 @@
+#include "first_contact/geometry/bounding.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace first_contact {
+
+namespace {
+
+// A point counts as outside a sphere when it is farther by this part of the radius: well above the rounding
+// in the sphere through four points, so that points of one and the same sphere do not push each other off the
+// rim.
+constexpr double outside_tolerance = 1e-10;
+
+void require_points(std::span<const Point> points) {
+  if (points.empty()) throw std::invalid_argument("bounding shape of no points: there must be at least one");
+  for (const Point& p : points)
+    if (!p.allFinite()) require_finite(p, "bounding shape's point");
+}
+
+// The smallest box around the points with its sides along the columns of `axes`, which is a rotation.
+Box box_along(const Eigen::Matrix3d& axes, std::span<const Point> points) {
+  Vector low = axes.transpose() * points.front();
+  Vector high = low;
+  for (const Point& p : points) {
+    low = low.cwiseMin(axes.transpose() * p);
+    high = high.cwiseMax(axes.transpose() * p);
+  }
+  const Vector size = high - low;
+  return {axes * (low + 0.5 * size), size.x() * axes.col(0), size.y() * axes.col(1), size.z() * axes.col(2)};
+}
+
+// The smallest sphere that has all of one to four points on its rim: its centre C is in the plane, line or
+// space of the edges d_i from the first, and 2 d_i.(C - P0) = d_i.d_i for each.
+Sphere through(const std::vector<Point>& rim) {
+  if (rim.empty()) return {Point::Zero(), 0};
+  Eigen::Matrix3Xd edges(3, rim.size() - 1);
+  for (std::size_t i = 1; i < rim.size(); ++i) edges.col(static_cast<Eigen::Index>(i) - 1) = rim[i] - rim[0];
+  if (edges.cols() == 0) return {rim[0], 0};
+  const Eigen::VectorXd half_squares = 0.5 * edges.colwise().squaredNorm().transpose();
+  const Vector to_center = edges.transpose().completeOrthogonalDecomposition().solve(half_squares);
+  return {rim[0] + to_center, to_center.norm()};
+}
+
+//! [welzl]
+// The smallest sphere around the points that has `rim` on its rim.
+Sphere smallest(std::span<const Point> points, const std::vector<Point>& rim) {
+  Sphere sphere = rim.empty() ? Sphere{points.front(), 0} : through(rim);
+  if (rim.size() == 4) return sphere;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if ((points[i] - sphere.center).norm() <= (1 + outside_tolerance) * sphere.radius) continue;
+    std::vector<Point> wider = rim;
+    wider.push_back(points[i]);
+    sphere = smallest(points.first(i), wider);
+  }
+  return sphere;
+}
+//! [welzl]
+
+// In an order that no one chose: so the expected time is proportional to the number of points, whatever it
+// was before.
+std::vector<Point> shuffled(std::span<const Point> points) {
+  std::vector<Point> order(points.begin(), points.end());
+  std::minstd_rand dice(1);  // the same order each time, on every machine
+  for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[dice() % (i + 1)]);
+  return order;
+}
+
+}  // namespace
+
+Box bounding_box(std::span<const Point> points) {
+  require_points(points);
+  return box_along(Eigen::Matrix3d::Identity(), points);
+}
+
+//! [principal_box]
+Box principal_box(std::span<const Point> points) {
+  require_points(points);
+  Point mean = Point::Zero();
+  for (const Point& p : points) mean += p / static_cast<double>(points.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Point& p : points) scatter += (p - mean) * (p - mean).transpose();
+  return box_along(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors(), points);
+}
+//! [principal_box]
+
+Sphere bounding_sphere(std::span<const Point> points) {
+  require_points(points);
+  Sphere sphere = smallest(shuffled(points), {});
+  for (const Point& p : points) sphere.radius = std::max(sphere.radius, (p - sphere.center).norm());
+  return sphere;
+}
+
+double volume(const Box& box) { return box.r.norm() * box.s.norm() * box.t.norm(); }
+
+double volume(const Sphere& sphere) { return 4 * std::numbers::pi / 3 * std::pow(sphere.radius, 3); }
+
+}  // namespace first_contact

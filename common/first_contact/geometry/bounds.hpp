@@ -1,0 +1,65 @@
+#pragma once
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "first_contact/geometry/sphere.hpp"
+#include "first_contact/geometry/triangle.hpp"
+
+namespace first_contact {
+
+/// The box with sides along the axes in which a thing lies: its bounding box (paper, 1.1). It contains its own
+/// boundary, may be flat, and may be empty.
+struct Bounds {
+  /// Of nothing: it overlaps nothing, and grows with what it is made to include.
+  Bounds() = default;
+  /// \throws std::invalid_argument if a corner is not finite, or the low one is above the high one.
+  Bounds(const Point& lowest, const Point& highest);
+
+  bool empty() const { return !(low.x() <= high.x()); }
+  Point center() const { return 0.5 * low + 0.5 * high; }  // each half by itself: the sum may be too large
+  Vector size() const { return high - low; }
+  /// The largest coordinate of a corner, without its sign; 0 if it is empty.
+  double largest_coordinate() const;
+
+  void include(const Point& point);
+  void include(const Bounds& other);
+  /// Moved out by `distance` on all six sides.
+  Bounds grown(double distance) const;
+
+  Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  Point high = Point::Constant(-std::numeric_limits<double>::infinity());
+};
+
+/// The bounds of a thing contain all of it: where a coordinate has to be rounded, it is rounded outwards.
+Bounds bounds_of(std::span<const Point> points);
+Bounds bounds_of(const Triangle& triangle);
+Bounds bounds_of(const Sphere& sphere);
+/// Of all that a moving sphere passes: around S0 and S0 + V.
+Bounds bounds_of(const Sphere& sphere, const Vector& displacement);
+/// Of a set of bounds.
+Bounds bounds_of(std::span<const Bounds> all);
+
+/// Do two boxes share a point? Touching counts: a side, an edge or a corner in common is enough.
+bool overlap(const Bounds& a, const Bounds& b);
+/// Do a triangle and a box share a point? Touching counts, up to rounding. They do not if one of 13 directions
+/// parts them: the box's three, the triangle's normal, and those at right angles to an edge of each
+/// (Akenine-Moller, Fast 3D Triangle-Box Overlap Testing, 2001).
+bool overlap(const Triangle& triangle, const Bounds& box);
+
+/// A part of a motion: the times from `enter` to `leave`.
+struct Passage {
+  double enter = 0;
+  double leave = 1;
+
+  bool empty() const { return !(enter <= leave); }
+};
+
+/// When is the moving point S0 + t V inside the box? The slabs between its three pairs of sides are each
+/// entered and left once (Ericson, Real-Time Collision Detection, 5.3.3). Nothing if never within `part`.
+///
+/// A motion along a side is never divided by zero: 0 times infinity is not a number, and would lose the hit.
+std::optional<Passage> passage(const Point& start, const Vector& displacement, const Bounds& box,
+                               const Passage& part = {});
+
+}  // namespace first_contact

@@ -1,0 +1,31 @@
+#include "first_contact/geometry/closest_point.hpp"
+
+#include <algorithm>
+
+#include "first_contact/geometry/facet.hpp"
+#include "first_contact/geometry/line_triangle.hpp"
+
+namespace first_contact {
+
+Point closest_point(const Point& point, const Point& a, const Point& b) {
+  const Vector e = b - a;
+  const double along = (point - a).dot(e);
+  if (!(along > 0)) return a;
+  if ((point - b).dot(e) >= 0) return b;
+  return a + along / e.squaredNorm() * e;
+}
+
+Point closest_point(const Point& point, const Point& a, const Point& b, const Point& c) {
+  Point best = closest_point(point, a, b);
+  const auto offer = [&](const Point& candidate) {
+    if ((candidate - point).squaredNorm() < (best - point).squaredNorm()) best = candidate;
+  };
+  offer(closest_point(point, b, c));
+  offer(closest_point(point, c, a));
+  const Vector normal = CornerNormal(a, b, c).normal;
+  if (const auto weights = weights_where_line_meets(normal, a - point, b - point, c - point))
+    offer(a + weights->y() * (b - a) + weights->z() * (c - a));
+  return best;
+}
+
+}  // namespace first_contact

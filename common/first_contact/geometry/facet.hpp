@@ -1,0 +1,30 @@
+#pragma once
+#include "first_contact/geometry/triangle.hpp"
+
+namespace first_contact {
+
+/// The normal (b - a) x (c - a) of three points, computed at the corner with the largest angle, from the two shorter
+/// sides: however long and thin the triangle is, no other corner rounds less.
+struct CornerNormal {
+  CornerNormal(const Point& a, const Point& b, const Point& c);
+
+  Point corner;    ///< opposite the longest side
+  Vector normal;   ///< at right angles to the triangle, twice its area long; zero if it is degenerate
+  double longest;  ///< the longest side
+};
+
+/// A triangle together with what a sweep asks of its plane.
+struct Facet : CornerNormal {
+  explicit Facet(const Triangle& t);
+
+  /// Is the triangle too thin for its face to matter to a sphere of this radius? Then its edges answer for it.
+  bool thin_for(double radius) const { return !(radius < largest_radius); }
+  /// The normal, of unit length; zero if the triangle is degenerate.
+  Vector unit_normal() const { return length > 0 ? Vector(normal / length) : Vector(Vector::Zero()); }
+
+  Triangle triangle;
+  double length;          ///< |normal|
+  double largest_radius;  ///< up to here the face answers for itself; 0 if the triangle is degenerate
+};
+
+}  // namespace first_contact

@@ -1,0 +1,40 @@
+#include "first_contact/geometry/line_triangle.hpp"
+
+namespace first_contact {
+
+namespace {
+
+/// Twice the signed area of the triangle of p, q and the origin. Rounding keeps the order of the two
+/// products, so the sign is never wrong: at worst it is 0, and 0 counts as inside.
+double area(const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() * q.y() - p.y() * q.x(); }
+
+}  // namespace
+
+//! [line_meets_triangle]
+std::optional<Vector> weights_where_line_meets(const Vector& direction, const Vector& a, const Vector& b,
+                                               const Vector& c) {
+  Eigen::Index z =
+      0;  // look along the line: its longest axis is the depth, and a shear moves the line onto it
+  const double depth = direction.cwiseAbs().maxCoeff(&z);
+  if (!(depth > 0)) return std::nullopt;
+  const Eigen::Index x = (z + 1) % 3, y = (z + 2) % 3;
+  const auto flatten = [&](const Vector& p) {
+    return Eigen::Vector2d(p[x] - direction[x] / direction[z] * p[z],
+                           p[y] - direction[y] / direction[z] * p[z]);
+  };
+  const Eigen::Vector2d p = flatten(a), q = flatten(b), r = flatten(c);
+
+  const Vector areas(area(q, r), area(r, p), area(p, q));
+  const bool inside = (areas.array() >= 0).all() || (areas.array() <= 0).all();
+  const double sum = areas.sum();
+  if (!inside || sum == 0) return std::nullopt;
+  return areas / sum;
+}
+//! [line_meets_triangle]
+
+std::optional<Vector> weights_where_line_meets(const Point& point, const Vector& direction,
+                                               const Triangle& triangle) {
+  return weights_where_line_meets(direction, triangle.a - point, triangle.b - point, triangle.c - point);
+}
+
+}  // namespace first_contact

@@ -1,0 +1,124 @@
+#include "first_contact/geometry/transform.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace first_contact {
+
+namespace {
+
+void require(bool rule, const std::string& what, double value, const std::string& text) {
+  if (rule) return;
+  std::ostringstream message;
+  message << what << ' ' << value << ": must be " << text;
+  throw std::invalid_argument(message.str());
+}
+
+// The determinant (sign -1) or the permanent (sign +1), by the 2x2 minors of the upper rows and those of the
+// lower.
+double sum_of_minors(const Matrix& m, double sign) {
+  const auto minor = [&](int row, int i, int j) {
+    return m(row, i) * m(row + 1, j) + sign * m(row, j) * m(row + 1, i);
+  };
+  return (minor(0, 0, 1) * minor(2, 2, 3) + minor(0, 2, 3) * minor(2, 0, 1)) +
+         (minor(0, 0, 3) * minor(2, 1, 2) + minor(0, 1, 2) * minor(2, 0, 3)) +
+         sign * (minor(0, 0, 2) * minor(2, 1, 3) + minor(0, 1, 3) * minor(2, 0, 2));
+}
+
+// Each row multiplied by the power of two that brings its largest entry to [1/2, 1): exact, and no overflow
+// after it.
+Matrix balanced(Matrix m) {
+  for (int row = 0; row < 4; ++row) {
+    int exponent = 0;
+    std::frexp(m.row(row).cwiseAbs().maxCoeff(), &exponent);
+    for (int column = 0; column < 4; ++column) m(row, column) = std::ldexp(m(row, column), -exponent);
+  }
+  return m;
+}
+
+}  // namespace
+
+bool is_singular(const Matrix& m) {
+  const Matrix b = balanced(m);
+  return !(std::abs(sum_of_minors(b, -1)) > singular_tolerance * sum_of_minors(b.cwiseAbs(), +1));
+}
+
+Transform::Transform(const Matrix& m) : matrix_(m) {
+  if (!m.allFinite()) throw std::invalid_argument("transform's matrix: every entry must be finite");
+  if (is_singular(m)) throw std::invalid_argument("transform's matrix: must not be singular");
+  inverse_ = m.fullPivLu().inverse();
+  if (is_affine()) inverse_.row(3) = m.row(3);  // [0, 0, 0, 1] exactly
+  if (!inverse_.allFinite()) throw std::invalid_argument("transform's matrix: must have a finite inverse");
+}
+
+Transform Transform::affine(const Eigen::Matrix3d& linear, const Vector& translation) {
+  Matrix m = Matrix::Identity();
+  m.topLeftCorner<3, 3>() = linear;
+  m.topRightCorner<3, 1>() = translation;
+  return Transform(m);
+}
+
+Transform Transform::perspective(double view_angle, double aspect, double near_z, double far_z) {
+  require(view_angle > 0 && view_angle < std::numbers::pi, "view angle", view_angle, "between 0 and pi");
+  require(aspect > 0 && std::isfinite(aspect), "aspect", aspect, "positive and finite");
+  require(near_z > 0 && std::isfinite(near_z), "near distance", near_z, "positive and finite");
+  require(far_z > near_z && std::isfinite(far_z), "far distance", far_z, "finite, and beyond the near one");
+  const double scale = 1 / std::tan(view_angle / 2);
+  const double depth = far_z - near_z;
+  Matrix m;
+  m << scale / aspect, 0, 0, 0,                                      //
+      0, scale, 0, 0,                                                //
+      0, 0, -(far_z + near_z) / depth, -2 * far_z * near_z / depth,  //
+      0, 0, -1, 0;
+  return Transform(m);
+}
+
+Transform Transform::after(const Transform& first) const {
+  return {matrix_ * first.matrix_, first.inverse_ * inverse_};
+}
+
+//! [transform_point]
+Point Transform::point(const Point& q) const {
+  const Homogeneous image = apply(as_point(q));
+  if (image.w() == 0) throw std::domain_error("point " + to_text(q) + ": the transform sends it to infinity");
+  return image.head<3>() / image.w();
+}
+
+Vector Transform::direction(const Vector& v) const {
+  if (!is_affine())
+    throw std::domain_error("direction " + to_text(v) + ": only an affine transform keeps directions");
+  return apply(as_direction(v)).head<3>();
+}
+//! [transform_point]
+
+//! [transform_plane]
+Plane Transform::plane(const Plane& e) const {
+  const Homogeneous image = inverse_.transpose() * e.coefficients();
+  return {image.head<3>(), image.w()};
+}
+//! [transform_plane]
+
+Rigid::Rigid(const Eigen::Quaterniond& turn, const Vector& shift) : translation_(shift) {
+  require_finite(translation_, "rigid motion's translation");
+  const double length = turn.coeffs().stableNorm();
+  require(length > 0 && std::isfinite(length), "rotation's quaternion of length", length,
+          "finite and not zero");
+  rotation_ = Eigen::Quaterniond(turn.coeffs() / length).toRotationMatrix();
+}
+
+Rigid Rigid::turned(const Vector& axis, double angle) {
+  require_finite(axis, "axis of rotation");
+  require(std::isfinite(angle), "angle of rotation", angle, "finite");
+  if (axis.isZero(0)) throw std::invalid_argument("axis of rotation " + to_text(axis) + ": must not be zero");
+  return {Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.stableNormalized())), Vector::Zero()};
+}
+
+// A rotation is its own inverse transpose; D changes by what the translation adds to N.Q.
+Plane Rigid::plane(const Plane& e) const {
+  const Vector normal = direction(e.normal());
+  return {normal, e.offset() - normal.dot(translation_)};
+}
+
+}  // namespace first_contact

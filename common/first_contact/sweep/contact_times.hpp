@@ -1,0 +1,72 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "first_contact/geometry/accurate_cross.hpp"
+
+/// \file
+/// When does a point w + t u come within d of the origin, and when does it leave? Twice the same quadratic
+/// equation, |w + t u|^2 = d^2 (paper, 2.3), solved as printed and solved well. Templates, so that single
+/// precision shows its worst.
+
+namespace first_contact {
+
+/// The paper's t1 and t2: when two spheres begin to touch, and when they part. Any real numbers, begin <=
+/// end.
+template <class Scalar>
+struct ContactTimes {
+  Scalar begin, end;
+};
+
+//! [textbook_times]
+/// As printed: t = (-w.u -+ sqrt((w.u)^2 - u^2 (w^2 - d^2))) / u^2. Nothing if u is zero or the root is not
+/// real.
+///
+/// Far away, (w.u)^2 and u^2 w^2 are huge and nearly equal: of their difference, only rounding errors remain.
+template <class Scalar>
+std::optional<ContactTimes<Scalar>> textbook_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
+                                                   Scalar d) {
+  const Scalar a = u.squaredNorm(), b = w.dot(u), c = w.squaredNorm() - d * d;
+  const Scalar discriminant = b * b - a * c;
+  if (!(a > 0) || !(discriminant >= 0)) return std::nullopt;
+  const Scalar root = std::sqrt(discriminant);
+  return ContactTimes<Scalar>{(-b - root) / a, (-b + root) / a};
+}
+//! [textbook_times]
+
+//! [discriminant]
+/// (w.u)^2 - u^2 (w^2 - d^2) without the cancellation. By Lagrange's identity, (w.u)^2 = w^2 u^2 - |w x u|^2:
+/// what remains is u^2 d^2 - |w x u|^2, that is, u^2 times (d^2 less the square of the distance at the
+/// closest approach). \param moment  w x u, the same for every w on the path.
+template <class Scalar>
+Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Scalar d) {
+  return u.squaredNorm() * (d * d) - moment.squaredNorm();
+}
+//! [discriminant]
+
+//! [contact_times]
+/// The same two times by way of the closest approach. No two numbers of equal sign are subtracted: the far
+/// root is the sum, and the near one follows from the product of the roots, c / a. \param moment  w x u, the
+/// same for every w on the path.
+template <class Scalar>
+std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
+                                                  const Vector3<Scalar>& moment, Scalar d) {
+  const Scalar a = u.squaredNorm(), b = w.dot(u), c = w.squaredNorm() - d * d;
+  const Scalar D = discriminant(u, moment, d);
+  if (!(a > 0) || !(D >= 0)) return std::nullopt;
+  const Scalar sum =
+      -b + std::copysign(std::sqrt(D), -b);         // not b's "sign" times the root: that of 0 must not be 0
+  if (sum == 0) return ContactTimes<Scalar>{0, 0};  // grazing, just now
+  return ContactTimes<Scalar>{std::min(c / sum, sum / a), std::max(c / sum, sum / a)};
+}
+//! [contact_times]
+
+/// The same for a single w: its moment is w x u.
+template <class Scalar>
+std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
+                                                  Scalar d) {
+  return contact_times(w, u, accurate_cross(w, u), d);
+}
+
+}  // namespace first_contact

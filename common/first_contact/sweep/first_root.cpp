@@ -1,0 +1,31 @@
+#include "first_contact/sweep/first_root.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace first_contact {
+
+//! [first_root]
+std::optional<Entry> first_root(const Vector& m, const Vector& v, double r, double tolerance) {
+  const double a = v.squaredNorm();
+  const double b = m.dot(v);
+  const double c = m.squaredNorm() - r * r;
+  if (m.isZero(0) && a > 0) return Entry{0, -v.normalized()};
+  if (!(b < 0)) return std::nullopt;            // leaving, sliding along, or at rest
+  if (c <= 0) return Entry{0, m.normalized()};  // inside already, and going deeper
+
+  const Vector moment = m.cross(v);  // |m x v| = |v| times the closest approach
+  const double slack = a * tolerance * (2 * r + tolerance);
+  double discriminant = a * r * r - moment.squaredNorm();
+  if (!(discriminant >= -slack)) return std::nullopt;
+  discriminant = std::max(0.0, discriminant);
+  const double t = c / (-b + std::sqrt(discriminant));
+  if (!(t <= 1)) return std::nullopt;
+
+  // From the closest approach, go back along the path by half the chord.
+  const Vector arrival = v.cross(moment) / a - std::sqrt(discriminant) / a * v;
+  return Entry{t, (r > 0 ? arrival : Vector(-v)).normalized()};
+}
+//! [first_root]
+
+}  // namespace first_contact

@@ -1,0 +1,21 @@
+#pragma once
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace first_contact {
+
+/// A span of time t_m .. t_n, both ends included (paper, 2.3); it may begin before 0 and end after 1.
+struct Interval {
+  /// \throws std::invalid_argument if an end is not finite, or the first comes after the last.
+  Interval(double t_m, double t_n) : first(t_m), last(t_n) {
+    if (std::isfinite(first) && std::isfinite(last) && first <= last) return;
+    std::ostringstream message;
+    message << "interval " << first << ", " << last << ": both ends must be finite, and in order";
+    throw std::invalid_argument(message.str());
+  }
+
+  double first, last;
+};
+
+}  // namespace first_contact

@@ -1,0 +1,44 @@
+#pragma once
+#include <limits>
+#include <optional>
+
+#include "first_contact/geometry/facet.hpp"
+#include "first_contact/geometry/sphere.hpp"
+#include "first_contact/sweep/contact.hpp"
+
+/// \file
+/// The three surfaces on which the centre of a sphere lies when it touches a polyhedron (paper, 2.1): the
+/// faces moved out by r, cylinders of radius r about the edges, and spheres of radius r about the vertices.
+/// The paper's text puts the axes and the centres on the polyhedron that was moved out; they belong on the
+/// original edges and vertices.
+
+namespace first_contact {
+
+/// How a moving sphere touches one face, one edge or one vertex.
+struct Touch {
+  double time;      ///< t in [0, 1]
+  double distance;  ///< from the feature to the centre at that time: r, or less if they overlap at the start
+  Vector normal;    ///< unit, from the feature to the centre
+  Point point;      ///< on the feature
+  Feature feature;
+  double tolerance;  ///< how far rounding may have moved the distance
+};
+
+/// By how much a computed distance between a moving sphere and a feature may be wrong, in units of
+/// eps (distance of the centre from the feature's corner + length of the feature + path + r). The distance to
+/// an edge is the worst: a difference, a cross product, the closest approach and the root add up to less than
+/// 8 eps of that; this is twice as much. \see tests/oracle/sphere_triangle_oracle_test.cpp
+inline constexpr double rounding_of_distance = 16 * std::numeric_limits<double>::epsilon();
+
+/// The centre meets the face moved out by r, on the side where it starts: t = -(E'.S0) / (N.V), if it arrives
+/// within the face. A sphere that overlaps the face at the start, its centre over the face, touches at t = 0
+/// if it goes deeper.
+std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet);
+
+/// The centre enters the cylinder of radius r about the edge ab, between its two ends.
+std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, const Point& b);
+
+/// The centre enters the sphere of radius r about a vertex.
+std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& vertex);
+
+}  // namespace first_contact

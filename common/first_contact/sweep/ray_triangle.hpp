@@ -1,0 +1,18 @@
+#pragma once
+#include "first_contact/geometry/triangle.hpp"
+#include "first_contact/sweep/contact.hpp"
+
+namespace first_contact {
+
+/// First contact of a moving point, a ray of finite length, with a triangle (paper, 3.2.3): where the ray meets the
+/// plane, if that is within the triangle (line_triangle.hpp). The test is watertight: a ray through an edge or a vertex
+/// that triangles share meets at least one of them. The triangle has two sides.
+///
+/// A ray is the path of a sphere of radius 0, and is swept as one: the face is moved out by nothing, and the cylinders
+/// and spheres are the edges and the vertices themselves, for the rays that run within the triangle's plane.
+///
+/// Error: t is exact for a path that is moved by at most 16 eps L, L being the distance of the point from the corners +
+/// the longest side + |V|.
+std::optional<Contact> sweep(const Moving<Point>& moving, const Triangle& triangle);
+
+}  // namespace first_contact

@@ -1,0 +1,108 @@
+#include "first_contact/geometry/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+// The order matters: Catch2 before RapidCheck.
+#include "catch.hpp"
+//
+#include <rapidcheck.h>
+#include <rapidcheck/catch.h>
+
+using namespace first_contact;
+
+namespace {
+
+double number() {
+  const int coarse = *rc::gen::inRange(-4, 5), fine = *rc::gen::inRange(-1000000, 1000001);
+  const double value = *rc::gen::arbitrary<bool>() ? coarse / 4.0 : fine / 1000003.0;
+  return value * std::exp2(*rc::gen::inRange(-3, 4));
+}
+
+Vector vector() { return {number(), number(), number()}; }
+
+Bounds box() {
+  const Point a = vector(), b = vector();
+  return {a.cwiseMin(b), a.cwiseMax(b)};
+}
+
+bool holds(const Bounds& box, const Point& p, double slack = 0) {
+  return (p.array() >= box.low.array() - slack).all() && (p.array() <= box.high.array() + slack).all();
+}
+
+/// What of a triangle is in a box, by cutting it along the six sides (Sutherland and Hodgman, 1974).
+std::vector<Point> clipped(const Triangle& triangle, const Bounds& box) {
+  std::vector<Point> outline{triangle.a, triangle.b, triangle.c};
+  for (int side = 0; side < 6; ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 ? 1 : -1, limit = side % 2 ? box.low[axis] : -box.high[axis];
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Point &p = outline[i], &q = outline[(i + 1) % outline.size()];
+      const double at_p = sign * p[axis] - limit, at_q = sign * q[axis] - limit;
+      if (at_p >= 0) kept.push_back(p);
+      if ((at_p < 0) != (at_q < 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    outline = kept;
+  }
+  return outline;
+}
+
+}  // namespace
+
+TEST_CASE("The bounds of a moving sphere hold all of it, to the last bit") {
+  rc::prop("in exact arithmetic", [] {
+    const Sphere sphere(vector(), std::abs(number()));
+    const Vector v = vector();
+    const Bounds bounds = bounds_of(sphere, v);
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double t : {0.0, 1.0}) {
+        // 64 bits of a long double hold these sums exactly, or one rounding of 2^-64 that is seen as equal.
+        const long double center = static_cast<long double>(sphere.center[axis]) + t * v[axis];
+        RC_ASSERT(static_cast<long double>(bounds.low[axis]) <= center - sphere.radius);
+        RC_ASSERT(static_cast<long double>(bounds.high[axis]) >= center + sphere.radius);
+      }
+  });
+}
+
+TEST_CASE("A moving point is in a box during its passage and at no other time") {
+  rc::prop("for motions in any direction, along the sides too", [] {
+    const Bounds b = box();
+    const Point start = vector();
+    Vector v = vector();
+    for (int axis = 0; axis < 3; ++axis)
+      if (*rc::gen::inRange(0, 3) == 0) v[axis] = *rc::gen::element(0.0, -0.0);
+    const auto inside = passage(start, v, b);
+    const double slack = 1e-14 * (b.largest_coordinate() + start.norm() + v.norm());
+    for (int i = 0; i <= 64; ++i) {
+      const double t = i / 64.0;
+      const Point p = start + t * v;
+      if (holds(b, p, -slack)) RC_ASSERT(inside && inside->enter <= t && t <= inside->leave);
+      if (inside && inside->enter <= t && t <= inside->leave) RC_ASSERT(holds(b, p, slack));
+    }
+  });
+}
+
+TEST_CASE("What reaches a box reaches every larger box") {
+  rc::prop("to the last bit: this is what a tree relies on", [] {
+    Bounds small = box(), large = small;
+    large.include(box());
+    const Point start = vector();
+    const Vector v = vector();
+    if (passage(start, v, small)) RC_ASSERT(passage(start, v, large).has_value());
+    if (overlap(small, box())) RC_ASSERT(overlap(small, large));
+  });
+}
+
+TEST_CASE("A triangle and a box overlap if something is left of the triangle within the box") {
+  rc::prop("by thirteen directions as by cutting", [] {
+    const Bounds b = box();
+    const Triangle triangle(vector(), vector(), vector());
+    const double slack = 1e-13 * (b.largest_coordinate() + bounds_of(triangle).largest_coordinate());
+    Bounds smaller = b.grown(-slack);
+    const bool thick = (smaller.low.array() <= smaller.high.array()).all();
+    if (thick && !clipped(triangle, smaller).empty()) RC_ASSERT(overlap(triangle, b));
+    if (clipped(triangle, b.grown(slack)).empty()) RC_ASSERT_FALSE(overlap(triangle, b));
+  });
+}
