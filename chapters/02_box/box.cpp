@@ -1,6 +1,4 @@
 // Chapter 2: a moving box meets a plane (paper, 1.3), what a camera rejects, and box or sphere (1.1, 3.2.1).
-#include <cstdio>
-
 #include "figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/box_plane.hpp"
@@ -21,13 +19,6 @@ struct Scene {
   Vector t{0.6, -0.6, 0.3};
 };
 //! [scene]
-
-// Two digits after the point: enough for a comparison.
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 
 //! [report]
 void tell_scene(Report& report, const Plane& plane, const Moving<Box>& moving) {
@@ -102,7 +93,8 @@ void tell_sights(Report& report, Language language) {
   for (const auto& sight : box_chapter::sights()) {
     const std::string sign = sight.rejected ? " < " : " > ";
     const Text& side = sides[sight.plane];
-    report.row(sight.name.in(language), rounded(sight.distance) + sign + rounded(-sight.radius),
+    report.row(sight.name.in(language),
+               box_chapter::rounded(sight.distance) + sign + box_chapter::rounded(-sight.radius),
                {side.english + " plane: " + (sight.rejected ? "rejected" : "kept"),
                 side.chinese + "面：" + (sight.rejected ? "剔除" : "保留")});
   }
@@ -119,8 +111,8 @@ void tell_bounding(Report& report, Language language) {
        "匣面或球面範圍框（3.2.1）？體積與物件的比，以及被任意平面碰到的次數比"});
   const auto row = [&](const box_chapter::Bounded& shape, const auto& bounding, const Text& name) {
     report.row(shape.name.in(language) + ", " + name.in(language),
-               rounded(volume(bounding) / shape.volume) + ", " +
-                   rounded(box_chapter::more_often(bounding, shape.points)),
+               box_chapter::rounded(volume(bounding) / shape.volume) + ", " +
+                   box_chapter::rounded(box_chapter::more_often(bounding, shape.points)),
                {"times its volume, times its hits", "倍體積，倍次數"});
   };
   for (const auto& shape : box_chapter::bounded_shapes()) {

@@ -1,7 +1,7 @@
 #include "figures.hpp"
 
 #include <cmath>
-#include <cstdio>
+#include <numbers>
 
 #include "first_contact/figure/scene.hpp"
 #include "studies.hpp"
@@ -12,18 +12,13 @@ namespace colour = first_contact::figure::colour;
 
 namespace {
 
+constexpr double degree = std::numbers::pi / 180;
 const Pen plane_edge{colour::blue, 1.2};
 const Pen offset_edge{colour::grey, 1.2, true};
 const Fill plane_fill{colour::floor, 1, false, plane_edge};
 const Fill offset_fill{colour::floor, 0, false, offset_edge};
 const Fill solid{colour::amber, 1, true};
 const Fill glass{colour::amber, 0.5, true};
-
-std::string number(const char* form, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, form, value);
-  return text;
-}
 
 Point on(const Plane& plane, const Point& p) { return p - plane.signed_distance(p) * plane.normal(); }
 
@@ -35,97 +30,101 @@ std::pair<Vector, Vector> directions_in(const Plane& plane, const Vector& motion
   return {u, n.cross(u)};
 }
 
-// What light from along the normal would leave dark: the outline of the box's vertices on the plane.
+// The outline of a box seen along the plane's normal, on the plane: from each direction the farthest vertex.
 std::vector<Point> shadow(const Box& box, const Plane& plane) {
-  const Vector n = plane.normal(), u = n.unitOrthogonal(), v = n.cross(u);
-  const Point middle = on(plane, box.center);
-  std::vector<std::pair<double, Point>>
-      around;  // the hull of a box seen from anywhere: each extreme vertex, by angle
-  for (int i = 0; i < 360; ++i) {
-    const double a = 0.0174532925199433 * i;
-    const Vector along = std::cos(a) * u + std::sin(a) * v;
-    Vector reach = Vector::Zero();
-    for (const Vector& axis : {box.r, box.s, box.t}) reach += std::copysign(0.5, axis.dot(along)) * axis;
-    const Point corner = middle + on(plane, box.center + reach) - middle;
-    if (around.empty() || (corner - around.back().second).norm() > 1e-9) around.emplace_back(a, corner);
-  }
+  const Vector u = plane.normal().unitOrthogonal(), v = plane.normal().cross(u);
   std::vector<Point> outline;
-  for (const auto& [angle, corner] : around) outline.push_back(corner);
+  for (int i = 0; i < 360; ++i) {
+    const Vector along = std::cos(degree * i) * u + std::sin(degree * i) * v;
+    Point farthest = box.center;
+    for (const Vector& axis : {box.r, box.s, box.t}) farthest += std::copysign(0.5, axis.dot(along)) * axis;
+    const Point corner = on(plane, farthest);
+    if (outline.empty() || (corner - outline.back()).norm() > 1e-9) outline.push_back(corner);
+  }
   return outline;
+}
+
+std::vector<Point> circle(const Sphere& sphere) {
+  std::vector<Point> points;
+  points.reserve(181);
+  for (int i = 0; i <= 180; ++i)
+    points.emplace_back(sphere.center +
+                        sphere.radius * Vector(std::cos(2 * degree * i), std::sin(2 * degree * i), 0));
+  return points;
 }
 
 // Figure 1: a shape, its bounding box and its bounding circle.
 void draw_bounding_shapes(const Studio& studio) {
   std::vector<Point> fish;
   for (int i = 0; i < 120; ++i) {
-    const double a = 0.0523598775598299 * i;
+    const double a = 3 * degree * i;
     const double x = std::cos(a) - std::sin(a) * std::sin(a) / std::sqrt(2.0), y = std::cos(a) * std::sin(a);
     fish.emplace_back(0.94 * x - 0.34 * y, 0.34 * x + 0.94 * y, 0);
   }
-  figure::Scene scene({0, 0});
-  for (const double shift : {0.0, 2.9}) {
+  const Pen bound{colour::blue, 2.2}, dashed{colour::blue, 2.2, true};
+  figure::Scene scene({0, 0}, 0.03);
+  for (const bool round : {false, true}) {
     std::vector<Point> outline;
-    for (const Point& p : fish) outline.push_back(p + Vector(shift, 0, 0));
+    for (const Point& p : fish) outline.emplace_back(p + Vector(round ? 2.5 : 0.0, 0, 0));
     scene.polygon(outline, {colour::amber, 1, false, Pen{colour::ink, 1.4}});
-    scene.dot(Point(0.62 + shift, 0.36, 0));
+    scene.dot(0.62 * outline.front() + Vector(round ? 0.95 : 0.0, 0.1, 0));
     const Box box = bounding_box(outline);
-    const Sphere circle = bounding_sphere(outline);
-    if (shift == 0)
-      scene.patch(box.center, 0.5 * box.r, 0.5 * box.s,
-                  {colour::floor, 0, false, Pen{colour::blue, 2.2, true}}, 1);
-    if (shift != 0)
-      scene.disc(circle.center, {0, 0, 1}, circle.radius, {colour::floor, 0, false, Pen{colour::green, 2.2}},
-                 1);
+    if (round)
+      scene.line(circle(bounding_sphere(outline)), bound);
+    else
+      scene.patch(box.center, 0.5 * box.r, 0.5 * box.s, {colour::floor, 0, false, dashed}, 1);
   }
   Figure figure(studio, "figure-01", scene.size());
   scene.draw(figure);
   figure.draw();
 }
 
-// The way from the centre to the lowest vertex: down half of each axis, in turn.
-struct Step {
-  Vector half;
-  std::string name, rise;
-  Colour colour;
-};
-
-std::vector<Step> way_down(const Box& box, const Vector& n) {
-  std::vector<Step> steps{
-      {box.r, "R", "", colour::red}, {box.s, "S", "", colour::green}, {box.t, "T", "", colour::pink}};
-  for (Step& step : steps) {
-    const bool up = step.half.dot(n) > 0;
-    step.half *= up ? -0.5 : 0.5;
-    step.rise = "½|{/:Bold " + step.name + "}·{/:Bold N}|";
-    step.name = (up ? "−½{/:Bold " : "+½{/:Bold ") + step.name + "}";
-  }
-  return steps;
-}
-
-// Figure 4: the effective radius is the sum of what the three half axes rise.
+// Figure 4: from the lowest vertex to the highest, along three edges, the box rises |R.N| + |S.N| + |T.N|; its centre
+// is half as high.
 void draw_effective_radius(const Studio& studio) {
-  const Vector up(0, 0, 1);
+  const Vector n(0, 0, 1);
   const Box box{{0, 0, 1.15}, {0.6, 1.2, 1.2}, {0.8, 0.4, -0.8}, {0.6, -0.6, 0.3}};
-  const double radius = box.effective_radius(up);
-  const Vector half_u(2.0, 0, 0), half_v(0, 1.3, 0);
-  figure::Scene scene({74, 24});
-  scene.patch({0, 0, 0}, half_u, half_v, plane_fill, -3);
-  scene.polygon(shadow(box, Plane(up, 0)), {colour::shadow}, -2);
-  scene.patch(radius * up, half_u, half_v, offset_fill, 1);
+  const double radius = box.effective_radius(n);
+  const Vector half_u(2.0, 0, 0), half_v(0, 1.3, 0), foot(0, 0, 0);
+  figure::Scene scene({74, 24}, 0.05);
+  scene.patch(foot, half_u, half_v, plane_fill, -3);
+  scene.polygon(shadow(box, Plane(n, 0)), {colour::shadow}, -2);
+  scene.patch(radius * n, half_u, half_v, offset_fill, 1);
   scene.box(box, glass);
-  Point at = box.center, gauge = half_u - half_v + radius * up;
-  for (const Step& step : way_down(box, up)) {
-    const Point next = at + step.half, lower = gauge + step.half.z() * up;
-    scene.arrow(at, next, {step.colour, 2.4});
-    scene.line({gauge, lower}, {step.colour, 4.0}, 3);
-    scene.label(step.name, 0.5 * (at + next), 1.6, 0.3, step.colour);
-    scene.label(step.rise, 0.5 * (gauge + lower), 0.8, 0, step.colour, Align::left);
-    at = next;
-    gauge = lower;
-  }
+  const Point lowest = lowest_vertices(box, n).col(0);
+  const Point second = lowest - box.s, third = second + box.r;
+  scene.arrow(second, lowest, {colour::green, 2.4});
+  scene.arrow(second, third, {colour::red, 2.4});
+  scene.arrow(third, third + box.t, {colour::pink, 2.4});
+  scene.label("{/:Bold S}", 0.5 * (second + lowest), -1.0, -0.7, colour::green);
+  scene.label("{/:Bold R}", 0.62 * second + 0.38 * third, -1.1, 0.5, colour::red);
+  scene.label("{/:Bold T}", third + 0.5 * box.t, -0.2, 0.9, colour::pink);
+
+  Point gauge = half_u + half_v;
+  const auto measure = [&](const std::string& axis, const Vector& edge, const Colour& of) {
+    const Point upper = gauge + std::abs(edge.dot(n)) * n;
+    scene.line({gauge, upper}, {of, 4.0}, 3);
+    scene.label("|{/:Bold " + axis + "}·{/:Bold N}|", 0.5 * (gauge + upper), 0.8, 0, of, Align::left);
+    gauge = upper;
+  };
+  measure("S", box.s, colour::green);
+  measure("R", box.r, colour::red);
+  measure("T", box.t, colour::pink);
+  scene.label("", gauge + Vector(0.75, 0, 0));  // room for what stands beside the gauge
+
+  scene.line({box.center, foot}, {colour::ink, 2.0}, 2);
   scene.dot(box.center);
-  scene.dot(at);
-  scene.label("{/:Italic Q}", box.center, -0.9, 0.5);
-  scene.label("{/:Italic C}", at, 0.2, -0.9);
+  scene.dot(foot);
+  scene.dot(lowest);
+  scene.label("{/:Italic Q}", box.center, 0.9, 0.4);
+  scene.label("{/:Italic r}_{eff}", 0.76 * box.center, 1.8, 0);
+  scene.label("{/:Italic C}", lowest, 0.2, -0.9);
+  const Point corner = -half_u - half_v;
+  scene.label("{/:Italic E}", corner, -0.7, 0, colour::blue, Align::right);
+  scene.label("{/:Italic E}′", corner + radius * n, -0.7, 0, colour::grey, Align::right);
+  scene.label("", corner - Vector(0.25, 0, 0));
+  scene.arrow(corner + Vector(0.3, 0.25, 0), corner + Vector(0.3, 0.25, 0.8), {colour::ink, 2.4});
+  scene.label("{/:Bold N}", corner + Vector(0.3, 0.25, 0.8), 1.5, -0.3);
   Figure figure(studio, "figure-04", scene.size());
   scene.draw(figure);
   figure.draw();
@@ -145,9 +144,48 @@ void mark_contact(figure::Scene& scene, const ContactPoints& points) {
   for (const Point& p : corners) scene.dot(p, colour::red);
 }
 
+// A flat box as thick as a line, so that it has sides to draw.
+Box thickened(Box box) {
+  const auto thicken = [](Vector& axis, const Vector& a, const Vector& b) {
+    if (!axis.isZero(0)) return;
+    const Vector across = a.cross(b);
+    const Vector along = a.isZero(0) ? b : a;
+    if (!across.isZero(0))
+      axis = 0.006 * across.normalized();
+    else
+      axis = 0.006 * (along.isZero(0) ? Vector(Vector::UnitX()) : along.unitOrthogonal());
+  };
+  for (Vector* axis : {&box.r, &box.s, &box.t})
+    if (axis->norm() < 1e-6) axis->setZero();
+  thicken(box.r, box.s, box.t);
+  thicken(box.s, box.t, box.r);
+  thicken(box.t, box.r, box.s);
+  return box;
+}
+
+// A scene near the origin and about as large as 1, whatever the caller's unit and place: so that it can be drawn.
+struct Drawable {
+  Moving<Box> moving;
+  Plane plane;
+  std::optional<Contact> contact;
+};
+
+Drawable drawable(const Plane& plane, const Moving<Box>& moving, std::optional<Contact> contact) {
+  const auto& [box, v] = moving;
+  const Point origin = on(plane, box.center);
+  const Vector height = box.center - origin;
+  double unit = 0;
+  for (const Vector& length : {box.r, box.s, box.t, v, height})
+    unit = std::max(unit, length.cwiseAbs().maxCoeff());
+  if (unit == 0) unit = 1;
+  const Box small{height / unit, box.r / unit, box.s / unit, box.t / unit};
+  if (contact) contact->points = (contact->points.colwise() - origin) / unit;
+  return {Moving{small, Vector(v / unit)}, Plane(plane.normal(), 0), contact};
+}
+
 // Figure 5: the sweep of this run. The box meets E when its centre meets E', which is E moved out by r_eff.
-void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Box>& moving,
-                const std::optional<Contact>& contact) {
+void draw_sweep(const Studio& studio, const Drawable& drawn) {
+  const auto& [moving, plane, contact] = drawn;
   const Box& start = moving.shape;
   const Point q0 = start.center, q1 = q0 + moving.displacement;
   const Point end = q0 + (contact ? contact->time : 1.0) * moving.displacement;
@@ -156,7 +194,7 @@ void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Box>& mov
   const double radius = start.effective_radius(n);
   const auto [u, v] = directions_in(plane, moving.displacement);
   const double size = std::max({start.r.norm(), start.s.norm(), start.t.norm()});
-  const double reach = 0.5 * (on(plane, q1) - on(plane, q0)).norm() + 0.9 * size;
+  const double reach = std::max(0.2, 0.5 * (on(plane, q1) - on(plane, q0)).norm() + 0.9 * size);
   const Point middle = 0.5 * (on(plane, q0) + on(plane, q1));
   const Vector half_u = reach * u, half_v = 0.75 * reach * v;
 
@@ -165,9 +203,9 @@ void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Box>& mov
   scene.polygon(shadow(start, plane), {colour::shadow, 0.6}, -2);
   scene.polygon(shadow(shift.box(start), plane), {colour::shadow}, -1);
   scene.patch(middle + radius * n, half_u, half_v, offset_fill, 1);
-  scene.box(start, solid);
-  scene.box(shift.box(start), glass);
-  scene.arrow(q0, end);
+  scene.box(thickened(start), solid, 2);
+  scene.box(shift.box(thickened(start)), glass);
+  scene.arrow(q0, end, {colour::red, 2.4}, 3);
   if (contact && (q1 - end).norm() > 0.02 * moving.displacement.norm()) {
     scene.line({end, q1}, {colour::red, 1.4, true});
     scene.dot(q1);
@@ -177,10 +215,10 @@ void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Box>& mov
   scene.arrow(foot, foot + radius * n, {colour::ink, 2.4});
   scene.dot(q0);
   scene.dot(end);
-  scene.label("{/:Italic Q}_0", q0, -1.2, 0.5);
+  scene.label("{/:Italic Q}_0", q0 + radius * n, 0, 0.9);
   scene.label(contact ? "{/:Italic Q}({/:Italic t})" : "{/:Italic Q}_1", end, 1.9, 0.5);
-  scene.label("{/:Bold V}", 0.5 * (q0 + end), 1.2, 0.5, colour::red);
-  scene.label("{/:Bold N}", foot + radius * n, 1.4, -0.4);
+  scene.label("{/:Bold V}", 0.5 * (q0 + end), 1.3, 0.8, colour::red);
+  scene.label("{/:Bold N}", foot + radius * n, 1.6, -0.4);
   scene.label("{/:Italic E}", middle + half_u + half_v, 0.6, 0, colour::blue, Align::left);
   scene.label("{/:Italic E}′", middle + half_u + half_v + radius * n, 0.6, 0, colour::grey, Align::left);
   if (contact) {
@@ -196,18 +234,20 @@ void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Box>& mov
 // One brick on a vertex, an edge and a face.
 void draw_landings(const Studio& studio) {
   const Plane ground({0, 0, 1}, 0);
-  figure::Scene scene({68, 16});
-  scene.patch({0, 0, 0}, {4.0, 0, 0}, {0, 1.3, 0}, plane_fill, -3);
+  const View view{66, 14};
+  figure::Scene scene(view, 0.03);
+  scene.patch({0, 0, 0}, {4.1, 0, 0}, {0, 1.5, 0}, plane_fill, -3);
   for (const auto& landing : box_chapter::landings()) {
     const ContactPoints& points = landing.contact.points;
     scene.polygon(shadow(landing.box, ground), {colour::shadow}, -2);
     scene.box(landing.box, glass);
     mark_contact(scene, points);
-    const Point middle = landing.contact.point();
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      const Vector away = points.cols() > 1 ? Vector((points.col(i) - middle).normalized()) : Vector::Zero();
-      scene.label(name_of(points, i), points.col(i), 1.2 * away.x(),
-                  points.cols() > 1 ? 0.6 * away.y() - 0.3 : -0.9);
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {  // each name outwards of its point, in the picture
+      const Vector away = points.col(i) - landing.contact.point();
+      const Eigen::Vector2d out = Eigen::Vector2d(away.dot(view.right()), away.dot(view.up())).normalized();
+      const bool alone = points.cols() == 1;
+      scene.label(name_of(points, i), points.col(i), alone ? 0.2 : 1.5 * out.x(),
+                  alone ? -0.9 : 0.9 * out.y());
     }
   }
   Figure figure(studio, "landings", scene.size(900));
@@ -215,34 +255,36 @@ void draw_landings(const Studio& studio) {
   figure.draw();
 }
 
-// A leaning plank in its bounding sphere, its upright and its turned box, each with its volume beside the
-// plank's.
+// A leaning plank in its bounding sphere, its upright and its turned box, each with its volume beside the plank's.
 void draw_tightness(const Studio& studio) {
   const box_chapter::Bounded plank = box_chapter::bounded_shapes()[0];
-  const Box inside = plank.turned;
   const Fill hull{colour::sky, 0.22, true};
-  figure::Scene scene({76, 20});
-  int place = 0;
+  const View view{76, 20};
+  figure::Scene scene(view, 0.04);
+  double place = 0;
   const auto show = [&](double bounding_volume) {
-    const Vector shift(3.7 * place++, 0, 0);
-    scene.box(Rigid::moved_by(shift).box(inside), solid, 0);
-    scene.label("{/:Italic V} × " + number("%.1f", bounding_volume / plank.volume),
-                shift - Vector(0, 0, 2.0));
-    return Rigid::moved_by(shift);
+    Rigid shift = Rigid::moved_by(place * view.right());
+    scene.box(shift.box(plank.turned), solid, 0);
+    scene.label(box_chapter::rounded(bounding_volume / plank.volume, 1) + " {/:Italic V}",
+                shift.translation() - 2.05 * view.up());
+    place += 3.85;
+    return shift;
   };
   scene.sphere(show(volume(plank.sphere)).sphere(plank.sphere), colour::sky, 0.22, 1);
   scene.box(show(volume(plank.upright)).box(plank.upright), hull, 1);
-  scene.box(show(volume(plank.turned)).box(plank.turned), hull, 1);
+  const Box& snug = plank.turned;  // drawn a little too large, or nothing of it would be seen
+  const auto looser = [](const Vector& axis) { return Vector(axis + 0.14 * axis.normalized()); };
+  scene.box(show(volume(snug)).box({snug.center, looser(snug.r), looser(snug.s), looser(snug.t)}), hull, 1);
   Figure figure(studio, "bounding", scene.size(900));
   scene.draw(figure);
   figure.draw();
 }
 
-// What a camera sees: the frustum, boxes that are kept (green) and boxes that are rejected (grey).
+// What a camera sees: the frustum, boxes that are kept (green, or amber if out of view) and rejected (grey).
 void draw_frustum(const Studio& studio) {
   const Transform back = box_chapter::camera().inverse();
   const auto corner = [&](double x, double y, double z) { return back.point({x, y, z}); };
-  figure::Scene scene({52, -32});
+  figure::Scene scene({42, -12}, 0.03);
   const std::array<Eigen::Vector2d, 4> around{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   std::vector<Point> near, far;
   for (const auto& p : around) {
@@ -253,8 +295,14 @@ void draw_frustum(const Studio& studio) {
   const Pen edge{colour::blue, 1.4};
   scene.polygon(far, {colour::sky, 0.18, false, edge}, -2);
   scene.polygon({near[0], near[1], far[1], far[0]}, {colour::sky, 0.30, false, edge}, -2);
-  for (const auto& sight : box_chapter::sights())
-    scene.box(sight.box, {sight.rejected ? colour::grey : colour::green, 1, true}, 0);
+  const auto sights = box_chapter::sights();
+  for (const auto& sight : sights) {
+    const Colour& kept = &sight == &sights.back() ? colour::amber : colour::green;
+    scene.box(sight.box, {sight.rejected ? colour::pale : kept, 1, true}, 0);
+    const Point above = sight.box.center + Vector(0, 0.5, 0.75);
+    if (sight.rejected) scene.label("{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}", above, 0, 0.4);
+    scene.label("", sight.box.center + Vector(0.6, 0, 0));  // room for what stands above
+  }
   scene.polygon(near, {colour::sky, 0.18, false, edge}, 1);
   for (const std::size_t i : {2U, 3U}) scene.line({near[i], far[i]}, edge, 1);
   scene.dot({0, 0, 0});
@@ -269,7 +317,7 @@ void draw_box_figures(const program::Program& program, const Plane& plane, const
                       const std::optional<Contact>& contact) {
   draw_bounding_shapes(program.studio());
   draw_effective_radius(program.studio());
-  draw_sweep(program.studio(), plane, moving, contact);
+  draw_sweep(program.studio(), drawable(plane, moving, contact));
   draw_landings(program.studio());
   draw_tightness(program.studio());
   draw_frustum(program.studio());

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 using namespace first_contact;
 
@@ -46,7 +48,7 @@ TurnedTogether turned_together() {
 Transform camera() {
   const Eigen::Matrix3d axes = (Eigen::Matrix3d() << 0, 0, -1, -1, 0, 0, 0, 1, 0).finished();  // x along -z
   const Rigid stand(Eigen::Quaterniond(axes), {0, 0, 0});
-  return Transform::perspective(2 * std::atan(0.4), 1.4, 1.2, 6).after(stand.inverse().transform());
+  return Transform::perspective(2 * std::atan(0.2), 2.8, 1.2, 6).after(stand.inverse().transform());
 }
 
 std::vector<Sight> sights() {
@@ -58,8 +60,8 @@ std::vector<Sight> sights() {
       return e.signed_distance(q) + box.effective_radius(e.normal());
     };
     const auto& planes = frustum.planes;
-    const auto worst = std::min_element(planes.begin(), planes.end(),
-                                        [&](const Plane& a, const Plane& b) { return ahead(a) < ahead(b); });
+    const auto* const worst = std::min_element(
+        planes.begin(), planes.end(), [&](const Plane& a, const Plane& b) { return ahead(a) < ahead(b); });
     return Sight{name,
                  box,
                  static_cast<std::size_t>(worst - planes.begin()),
@@ -119,6 +121,12 @@ double more_often(const Sphere& sphere, const std::vector<Point>& points) {
 double more_often(const Box& box, const std::vector<Point>& points) {
   return mean_over_directions([&](const Vector& n) { return 2 * box.effective_radius(n); }) /
          mean_width(points);
+}
+
+std::string rounded(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
 }
 
 //! [bounded_shapes]

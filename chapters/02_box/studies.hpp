@@ -65,4 +65,7 @@ std::array<Bounded, 3> bounded_shapes();
 double more_often(const Sphere& sphere, const std::vector<Point>& points);
 double more_often(const Box& box, const std::vector<Point>& points);
 
+/// A number with that many digits after the point: enough for a comparison.
+std::string rounded(double value, int digits = 2);
+
 }  // namespace box_chapter

@@ -97,7 +97,7 @@ void draw_closest_approach(const Studio& studio, const Moving<Sphere>& p, const 
   const double first = std::min(start, -1.2 * d);
   const Point origin(0, 0, 0);
 
-  figure::Scene scene(front, 0.05);
+  figure::Scene scene(front, 0.07);
   scene.polygon(circle(d), {colour::floor, 1, false, Pen{colour::blue, 1.4}}, -1);
   scene.line({on_path(first), on_path(last)}, {colour::grey, 1.2, true}, 0);
   scene.arrow(on_path(start), on_path(start + speed));

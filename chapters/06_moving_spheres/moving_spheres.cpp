@@ -34,8 +34,12 @@ void tell_roots(Report& report, const Moving<Sphere>& p, const Moving<Sphere>& q
 
 void tell_contact(Report& report, const Meeting& meeting, const Interval& when) {
   const std::string within = readable(when.first) + " <= t <= " + readable(when.last);
-  if (!meeting.contact)
-    return report.say({"No contact within " + within + ".", within + " 之間沒有發生碰撞"});
+  if (!meeting.contact) {
+    report.say({"No contact within " + within + ".", within + " 之間沒有發生碰撞"});
+    if (meeting.separation)
+      report.also({"They overlap at its first time, but come no nearer: free to part.", "起初已重疊，但不再靠近：任其分離"});
+    return;
+  }
   const Contact& contact = *meeting.contact;
   report.say({"The contact within " + within, within + " 之間發生碰撞"});
   report.row("t", contact.time, {"time of contact", "碰撞時間"});

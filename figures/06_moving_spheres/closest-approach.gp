@@ -47,11 +47,11 @@ if (theme eq "grey") {
   AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 720,395 font "DejaVu Serif,17" rounded background rgb "#ffffff"
+  set terminal svg enhanced size 720,406 font "DejaVu Serif,17" rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size 1440,790 font "DejaVu Serif,17" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER
+  set terminal pngcairo enhanced size 1440,812 font "DejaVu Serif,17" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size 7.500000,4.114583 font "DejaVu Serif,13" rounded background rgb PAPER
+  set terminal pdfcairo enhanced size 7.500000,4.229167 font "DejaVu Serif,13" rounded background rgb PAPER
 } }
 set output "closest-approach." . format
 
@@ -77,8 +77,8 @@ set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
 set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
 unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-5.93818804:2.79705657]
-set yrange [-2.39705657:2.39705657]
+set xrange [-6.09701067:2.9558792]
+set yrange [-2.5558792:2.5558792]
 set label "{/:Italic Q}" at 0,0 center offset character 0,-1 front tc rgb BLUE
 set label "{/:Italic P}" at -5.54113147,0.99792889 center offset character 0,-1 front tc rgb INK
 set label "{/:Bold u}" at -3.63718819,0.99792889 center offset character 0,0.9 front tc rgb RED

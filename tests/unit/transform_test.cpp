@@ -147,6 +147,10 @@ TEST_CASE("Values that are not finite are refused") {
   CHECK_THROWS_AS(Rigid::turned({0, 0, 1}, infinity), std::invalid_argument);
   CHECK_THROWS_AS(Rigid(Eigen::Quaterniond(0, 0, 0, 0), {0, 0, 0}), std::invalid_argument);
 }
+TEST_CASE("A plane so far away that its distance is not finite is refused") {
+  CHECK_THROWS_AS(Plane({0, 0, 1e-300}, 1e10), std::invalid_argument);
+  CHECK_NOTHROW(Plane({0, 0, 1e-300}, 1e-295));
+}
 TEST_CASE("A quaternion of any length gives the same rotation") {
   const Eigen::Quaterniond unit(Eigen::AngleAxisd(1, Vector::UnitX()));
   const Rigid longer(Eigen::Quaterniond(unit.coeffs() * 1e200), {0, 0, 0});

@@ -8,9 +8,10 @@ namespace first_contact {
 //! [plane]
 Plane::Plane(const Vector& normal, double offset) {
   const double length = normal.stableNorm();
-  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset)) {
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset / length)) {
     std::ostringstream message;
-    message << "plane [" << to_text(normal) << ", " << offset << "]: the normal must be finite and not zero";
+    message << "plane [" << to_text(normal) << ", " << offset << "]: the normal must be finite and not zero, "
+            << "and the offset, divided by its length, finite";
     throw std::invalid_argument(message.str());
   }
   coefficients_ << normal / length, offset / length;

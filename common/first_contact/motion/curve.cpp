@@ -1,0 +1,159 @@
+#include "first_contact/motion/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace first_contact {
+
+namespace {
+
+void require_control_points(const std::vector<Point>& points, const std::string& what) {
+  if (points.empty()) throw std::invalid_argument(what + ": must have a control point");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    require_finite(points[i], what + "'s control point " + std::to_string(i));
+}
+
+// With this form, unlike a + s (b - a), the ends are exact: a at s = 0 and b at s = 1.
+Point between(const Point& a, const Point& b, double s) { return (1 - s) * a + s * b; }
+
+std::vector<double> clamped_knots(std::size_t points, std::size_t degree) {
+  std::vector<double> knots(degree, 0.0);
+  const std::size_t pieces = points > degree ? points - degree : 1;
+  for (std::size_t i = 0; i <= pieces; ++i)
+    knots.push_back(static_cast<double>(i) / static_cast<double>(pieces));
+  knots.insert(knots.end(), degree, 1.0);
+  return knots;
+}
+
+}  // namespace
+
+Bezier::Bezier(std::vector<Point> control_points) : control_(std::move(control_points)) {
+  require_control_points(control_, "Bezier curve");
+}
+
+//! [de_casteljau]
+Point Bezier::at(double u) const {
+  std::vector<Point> points = control_;
+  for (std::size_t left = points.size() - 1; left > 0; --left)  // cut the corners, one fewer each time
+    for (std::size_t i = 0; i < left; ++i) points[i] = between(points[i], points[i + 1], u);
+  return points.front();
+}
+//! [de_casteljau]
+
+Bezier Bezier::derivative() const {
+  if (degree() == 0) return Bezier({Vector::Zero()});
+  std::vector<Vector> differences;
+  for (std::size_t i = 0; i < degree(); ++i)
+    differences.emplace_back(static_cast<double>(degree()) * (control_[i + 1] - control_[i]));
+  return Bezier(std::move(differences));
+}
+
+BSpline::BSpline(std::vector<Point> control_points, std::size_t degree)
+    : control_(std::move(control_points)), degree_(degree), knots_(clamped_knots(control_.size(), degree)) {
+  require_sound();
+}
+
+BSpline::BSpline(std::vector<Point> control_points, std::size_t degree, std::vector<double> knots)
+    : control_(std::move(control_points)), degree_(degree), knots_(std::move(knots)) {
+  require_sound();
+}
+
+void BSpline::require_sound() const {
+  const auto refuse = [](const std::string& what, const std::string& rule) {
+    throw std::invalid_argument("B-spline's " + what + ": " + rule);
+  };
+  require_control_points(control_, "B-spline");
+  const std::string degree = std::to_string(degree_), points = std::to_string(control_.size());
+  if (control_.size() <= degree_)
+    refuse(points + " control points", "must be more than the degree, " + degree);
+  if (knots_.size() != control_.size() + degree_ + 1)
+    refuse(std::to_string(knots_.size()) + " knots", "must be control points + degree + 1");
+  for (std::size_t i = 0; i < knots_.size(); ++i) {
+    const std::string knot = "knot " + std::to_string(i);
+    if (!std::isfinite(knots_[i])) refuse(knot, "must be finite");
+    if (i > 0 && knots_[i] < knots_[i - 1]) refuse(knot, "must not be less than the one before");
+  }
+  for (std::size_t i = 1; i < control_.size(); ++i)
+    if (degree_ > 0 && !(knots_[i] < knots_[i + degree_]))
+      refuse("knots from number " + std::to_string(i),
+             "must not coincide more often than the degree, " + degree);
+  if (!(first() < last()) || !std::isfinite(last() - first())) refuse("knots", "must span a finite interval");
+}
+
+// The piece [knot, next) that holds x; the very end, and what is beyond, belongs to the last of all.
+std::size_t BSpline::piece_of(double x) const {
+  const auto begin = knots_.begin() + static_cast<std::ptrdiff_t>(degree_);
+  const auto end = knots_.begin() + static_cast<std::ptrdiff_t>(control_.size());
+  const auto next = x < last() ? std::upper_bound(begin, end, x) : std::lower_bound(begin, end, last());
+  return static_cast<std::size_t>(std::max(next - begin, std::ptrdiff_t{1}) - 1) + degree_;
+}
+
+//! [de_boor]
+Point BSpline::at(double u) const {
+  const double x = std::lerp(first(), last(), u);
+  const std::size_t piece = piece_of(x);
+  const auto from = control_.begin() + static_cast<std::ptrdiff_t>(piece - degree_);
+  std::vector<Point> points(from, from + static_cast<std::ptrdiff_t>(degree_ + 1));
+  for (std::size_t left = degree_; left > 0; --left)  // cut the corners, one fewer each time
+    for (std::size_t i = 0; i < left; ++i) {
+      const double begin = knots_[piece - left + 1 + i], end = knots_[piece + 1 + i];
+      points[i] = between(points[i], points[i + 1], (x - begin) / (end - begin));
+    }
+  return points.front();
+}
+//! [de_boor]
+
+//! [b_spline_derivative]
+BSpline BSpline::derivative() const {
+  BSpline hodograph;  // not checked again: where this curve has a corner, its derivative may jump
+  hodograph.knots_ = knots_;
+  hodograph.control_.assign(control_.size(), Vector::Zero());
+  if (degree_ == 0) return hodograph;
+  hodograph.degree_ = degree_ - 1;
+  hodograph.knots_ = {knots_.begin() + 1, knots_.end() - 1};
+  hodograph.control_.pop_back();
+  const double scale = static_cast<double>(degree_) * (last() - first());
+  for (std::size_t i = 0; i + 1 < control_.size(); ++i) {
+    const double support = knots_[i + degree_ + 1] - knots_[i + 1];
+    if (support > 0) hodograph.control_[i] = scale / support * (control_[i + 1] - control_[i]);
+  }
+  return hodograph;
+}
+//! [b_spline_derivative]
+
+std::vector<double> BSpline::breaks() const {
+  std::vector<double> values{0};
+  for (std::size_t i = degree_ + 1; i < control_.size(); ++i) {
+    const double u = (knots_[i] - first()) / (last() - first());
+    if (u > values.back() && u < 1) values.push_back(u);
+  }
+  values.push_back(1);
+  return values;
+}
+
+Point at(const Curve& curve, double u) {
+  return std::visit([u](const auto& c) { return c.at(u); }, curve);
+}
+
+Curve derivative(const Curve& curve) {
+  return std::visit([](const auto& c) { return Curve(c.derivative()); }, curve);
+}
+
+const std::vector<Point>& control_points(const Curve& curve) {
+  return std::visit([](const auto& c) -> const std::vector<Point>& { return c.control_points(); }, curve);
+}
+
+std::vector<double> breaks(const Curve& curve) {
+  const auto* spline = std::get_if<BSpline>(&curve);
+  return spline ? spline->breaks() : std::vector<double>{0, 1};
+}
+
+double longest_control_vector(const Curve& hodograph) {
+  double longest = 0;
+  for (const Vector& v : control_points(hodograph)) longest = std::max(longest, v.norm());
+  return longest;
+}
+
+}  // namespace first_contact

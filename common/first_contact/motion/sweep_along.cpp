@@ -1,0 +1,40 @@
+#include "first_contact/motion/sweep_along.hpp"
+
+#include <sstream>
+
+namespace first_contact {
+
+namespace {
+
+constexpr double most_chords = 1e7;
+
+[[noreturn]] void refuse(double deviation, const std::string& rule) {
+  std::ostringstream message;
+  message << "sweep's deviation " << deviation << ": " << rule;
+  throw std::invalid_argument(message.str());
+}
+
+}  // namespace
+
+//! [chords]
+std::vector<double> chords(const Curve& curve, double deviation) {
+  if (!(deviation > 0) || !std::isfinite(deviation))
+    refuse(deviation, "must be finite and greater than zero");
+  const double bend = longest_control_vector(derivative(derivative(curve)));
+  const std::vector<double> joints = breaks(curve);
+  std::vector<double> u{0};
+  for (std::size_t i = 1; i < joints.size(); ++i) {
+    const double span = joints[i] - joints[i - 1];
+    const double needed = std::max(1.0, std::ceil(span * std::sqrt(bend / deviation / 8)));
+    if (!(static_cast<double>(u.size()) + needed <= most_chords))
+      refuse(deviation, "too small for this curve");
+    const auto count = static_cast<std::size_t>(needed);
+    for (std::size_t k = 1; k < count; ++k)
+      u.push_back(joints[i - 1] + span * static_cast<double>(k) / static_cast<double>(count));
+    u.push_back(joints[i]);
+  }
+  return u;
+}
+//! [chords]
+
+}  // namespace first_contact

@@ -1,0 +1,105 @@
+#include "first_contact/motion/tween.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace first_contact {
+
+namespace {
+
+template <class Key>
+void require_keys(const std::vector<Key>& keys) {
+  if (keys.empty()) throw std::invalid_argument("tween: must have a key frame");
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    std::ostringstream what;
+    what << "tween's key frame " << i << ", time " << keys[i].time;
+    if (!std::isfinite(keys[i].time)) throw std::invalid_argument(what.str() + ": must be finite");
+    if (i > 0 && !(keys[i].time > keys[i - 1].time))
+      throw std::invalid_argument(what.str() + ": must be later than the one before");
+    if (!keys[i].easing) throw std::invalid_argument(what.str() + ": must have an easing");
+    require_finite(keys[i].position, what.str() + ", position");
+  }
+}
+
+// The last key whose time has come; none before the first.
+template <class Key>
+std::size_t current(const std::vector<Key>& keys, double time) {
+  const auto next =
+      std::upper_bound(keys.begin(), keys.end(), time, [](double t, const Key& key) { return t < key.time; });
+  return static_cast<std::size_t>(std::max(next - keys.begin(), std::ptrdiff_t{1})) - 1;
+}
+
+//! [tween_part]
+// Which part of its way from key i to the next a tween has gone: exactly 0 at the one and 1 at the other. Two times
+// far apart are halved first, for their difference may overflow.
+template <class Key>
+double part_of_way(const std::vector<Key>& keys, std::size_t i, double time) {
+  const double passed = time / 2 - keys[i].time / 2, all = keys[i + 1].time / 2 - keys[i].time / 2;
+  return keys[i].easing(passed / all);
+}
+//! [tween_part]
+
+}  // namespace
+
+Path Path::bezier(std::vector<Point> points, bool by_length) {
+  return {Kind::bezier, std::move(points), by_length};
+}
+Path Path::b_spline(std::vector<Point> points, bool by_length) {
+  return {Kind::b_spline, std::move(points), by_length};
+}
+
+Curve Path::from_to(const Point& a, const Point& b) const {
+  if (kind == Kind::straight) return line(a, b);
+  std::vector<Point> points{a};
+  points.insert(points.end(), between.begin(), between.end());
+  points.push_back(b);
+  if (kind == Kind::bezier) return Bezier(std::move(points));
+  const std::size_t degree = std::min<std::size_t>(3, points.size() - 1);
+  return BSpline(std::move(points), degree);
+}
+
+Tween::Tween(std::vector<KeyFrame> keys) : keys_(std::move(keys)) {
+  require_keys(keys_);
+  for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
+    const Curve curve = keys_[i].path.from_to(keys_[i].position, keys_[i + 1].position);
+    legs_.push_back({curve, keys_[i].path.constant_speed ? std::optional(ArcLength(curve)) : std::nullopt});
+  }
+}
+
+//! [tween]
+Point Tween::at(double time) const {
+  if (!(time > begin())) return keys_.front().position;
+  if (time >= end()) return keys_.back().position;
+  const std::size_t i = current(keys_, time);
+  if (time == keys_[i].time) return keys_[i].position;
+  const double part = part_of_way(keys_, i, time);
+  const Leg& leg = legs_[i];
+  return leg.by_length ? leg.by_length->at(part) : first_contact::at(leg.curve, part);
+}
+//! [tween]
+
+RigidTween::RigidTween(std::vector<Pose> poses) : poses_(std::move(poses)) {
+  require_keys(poses_);
+  for (Pose& pose : poses_) {
+    const double length = pose.orientation.norm();
+    if (!(length > 0) || !std::isfinite(length))
+      throw std::invalid_argument("tween's orientation: must be finite and not zero");
+    pose.orientation.coeffs() /= length;
+  }
+}
+
+//! [rigid_tween]
+Rigid RigidTween::at(double time) const {
+  const std::size_t i = current(poses_, time);
+  const Pose& from = poses_[i];
+  if (!(time > from.time) || i + 1 == poses_.size()) return {from.orientation, from.position};
+  const Pose& to = poses_[i + 1];
+  const double part = part_of_way(poses_, i, time);
+  return {from.orientation.slerp(part, to.orientation), (1 - part) * from.position + part * to.position};
+}
+//! [rigid_tween]
+
+}  // namespace first_contact

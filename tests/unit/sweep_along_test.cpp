@@ -1,0 +1,75 @@
+#include "first_contact/motion/sweep_along.hpp"
+
+#include <limits>
+
+#include "catch.hpp"
+#include "first_contact/sweep/sphere_plane.hpp"
+
+using namespace first_contact;
+
+namespace {
+
+const Plane ground{{0, 0, 1}, 0};
+const Bezier dive({{0, 0, 4}, {2, 0, -4}, {4, 0, 4}});  // z = 4 (1 - 4 u (1 - u)): down to 0 at u = 1/2
+
+}  // namespace
+
+TEST_CASE("Along a line there is one chord, and the contact is that of the plain sweep") {
+  CHECK(chords(line({0, 0, 3}, {1, 0, -1}), 1e-9) == std::vector<double>{0, 1});
+  const auto contact = sweep_along(line({0, 0, 3}, {0, 0, -1}), 1, ground, 1e-9);
+  REQUIRE(contact);
+  CHECK(contact->time == 0.5);
+  CHECK(contact->normal == Vector(0, 0, 1));
+}
+
+TEST_CASE("Along a curve a sphere meets the plane where its true height is its radius") {
+  // 4 (1 - 2u)^2 = 1 at u = 1/4, where the height falls by 8 a unit of u.
+  const double deviation = 1e-6;
+  const auto contact = sweep_along(dive, 1, ground, deviation);
+  REQUIRE(contact);
+  CHECK(std::abs(contact->time - 0.25) <= 1.01 * deviation / 8);
+  CHECK(std::abs(contact->point().x() - 1) <= 1e-6);
+}
+
+TEST_CASE("The ends alone would miss it: both are far from the plane") {
+  CHECK_FALSE(sweep(Moving<Sphere>{{dive.at(0), 1}, dive.at(1) - dive.at(0)}, ground));
+  CHECK(sweep_along(dive, 1, ground, 0.1));
+}
+
+TEST_CASE(
+    "No chord is further from the curve than the deviation, at every u, and the bound is not wasteful") {
+  const Curve curves[]{Bezier({{0, 0, 0}, {0, 4, 0}, {3, 4, 1}, {3, 0, 0}}),
+                       BSpline({{0, 0, 0}, {1, 3, 0}, {3, 3, 1}, {4, -2, 2}, {6, 0, 0}, {7, 7, 7}}, 3),
+                       BSpline({{0, 0, 0}, {1, 3, 0}, {3, 3, 1}, {4, -2, 2}}, 1)};
+  for (const Curve& curve : curves)
+    for (const double deviation : {0.5, 0.01, 1e-4}) {
+      const auto u = chords(curve, deviation);
+      double worst = 0;
+      for (std::size_t i = 1; i < u.size(); ++i)
+        for (const double s : {0.25, 0.5, 0.75}) {
+          const Point chord = (1 - s) * at(curve, u[i - 1]) + s * at(curve, u[i]);
+          worst = std::max(worst, (chord - at(curve, std::lerp(u[i - 1], u[i], s))).norm());
+        }
+      CHECK(worst <= deviation * (1 + 1e-9));
+      if (deviation < 1e-3 && curve.index() == 0) CHECK(worst > 0.5 * deviation);
+    }
+}
+
+TEST_CASE("A corner of a B-spline is a joint of the chords") {
+  const BSpline polyline({{0, 0, 5}, {1, 0, 0.5}, {2, 0, 5}}, 1);
+  CHECK(chords(polyline, 1e-3) == std::vector<double>{0, 0.5, 1});
+  CHECK(sweep_along(polyline, 0.75, ground, 1e-3)->time < 0.5);
+}
+
+TEST_CASE("A sphere that overlaps at the start and leaves has no contact, until it comes back") {
+  const Bezier hop({{0, 0, 0.5}, {1, 0, 6}, {2, 0, 0.5}});
+  const auto contact = sweep_along(hop, 1, ground, 1e-6);
+  REQUIRE(contact);
+  CHECK(contact->time > 0.5);
+}
+
+TEST_CASE("A deviation that is zero, negative, not a number or absurdly small is refused") {
+  for (const double deviation : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), 1e-30})
+    CHECK_THROWS_AS(chords(dive, deviation), std::invalid_argument);
+  CHECK_THROWS_AS(sweep_along(dive, -1, ground, 0.1), std::invalid_argument);
+}
