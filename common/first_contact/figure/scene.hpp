@@ -96,6 +96,7 @@ class Scene {
   Eigen::Vector2d project(const Point& p) const { return {p.dot(right_), p.dot(up_)}; }
   void add(const std::vector<Point>& points, std::string style, int layer, std::optional<double> depth = {});
   void cap(const Sphere& ball, const Vector& pole, double angle, const std::string& style, int layer);
+  void fine_mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer);
   std::string fill_style(const Fill& fill, const Vector& normal) const;
   Eigen::AlignedBox2d extent() const;
   void write_frame(std::ostream& out) const;
