@@ -55,16 +55,19 @@ function faultsOfPage(wholeBook) {
   return faults;
 }
 
-async function visit(browser, file, [colorScheme, width, height], wholeBook) {
+// One tab a view, that visits page after page; what it hears is about the page that is open.
+async function openTab(browser, [colorScheme, width, height]) {
   const page = await browser.newPage({colorScheme, viewport: {width, height}});
-  const name = `${basename(file)} (${colorScheme}, ${width})`;
+  let name = '';
   page.on('console', (message) => { if (message.type() === 'error') complain(name, `console: ${message.text()}`); });
   page.on('pageerror', (error) => complain(name, `error: ${error.message}`));
   page.on('request', (request) => { if (!/^(file|data|about|javascript):/.test(request.url())) complain(name, `asks for ${request.url()}`); });
   page.on('requestfailed', (request) => { if (request.url().startsWith('file:')) complain(name, `is not there: ${basename(request.url())}`); });
-  await page.goto(pathToFileURL(file).href);
-  for (const fault of await page.evaluate(faultsOfPage, wholeBook)) complain(name, fault);
-  await page.close();
+  return async (file, wholeBook) => {
+    name = `${basename(file)} (${colorScheme}, ${width})`;
+    await page.goto(pathToFileURL(file).href);
+    for (const fault of await page.evaluate(faultsOfPage, wholeBook)) complain(name, fault);
+  };
 }
 
 export async function checkBrowser() {
@@ -76,8 +79,11 @@ export async function checkBrowser() {
   const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--disable-gpu']});
   const book = new Set([...chapters, ...otherPages].map(({page}) => page));
   const pages = filesBelow(html, isOurs);
-  for (const file of pages)
-    for (const view of book.has(basename(file)) ? views : views.slice(0, 1)) await visit(browser, file, view, book.has(basename(file)));
+  await Promise.all(views.map(async (view, i) => {
+    const visit = await openTab(browser, view);
+    for (const file of pages)
+      if (i === 0 || book.has(basename(file))) await visit(file, book.has(basename(file)));
+  }));
   await browser.close();
   return `${pages.length} pages`;
 }

@@ -98,7 +98,7 @@ function drawMap(name, width, card, gap) {
 
 /// The map, once for wide pages and once for narrow ones.
 export const chapterMap = () => '<div class="chapter-map">' +
-  drawMap('wide', 760, {width: 172, height: 92, number: 28, line: 17, letters: 18, chinese: true}, 46) +
+  drawMap('wide', 760, {width: 172, height: 92, number: 28, line: 17, letters: 18, chinese: true}, 54) +
   drawMap('narrow', 360, {width: 84, height: 78, number: 24, line: 12, letters: 12}, 34) + '</div>';
 
 /// Every chapter in a line: number, title, question, minutes.

@@ -14,7 +14,7 @@ export function bibliography() {
 
 const chapterOf = (number) => chapters.find((chapter) => chapter.number === number);
 const chapterLink = (number) => `<a href="${chapterOf(number).page}">${number} · ${escape(chapterOf(number).title)}</a>`;
-const names = (list, mark) => [list].flat().filter(Boolean).map((name) => `<${mark}>${escape(name)}</${mark}>`).join(', ');
+const names = (list, mark) => [list].flat().filter(Boolean).map((name) => `<${mark}>${escape(name)}</${mark}>`).join(mark === 'q' ? '' : ', ');
 
 function where(item) {
   const figure = [item.figure].flat().filter(Boolean)
