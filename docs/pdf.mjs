@@ -12,9 +12,9 @@ const back = otherPages.filter((page) => !page.front);
 // The body of a finished page, its anchors made its own so that pages can stand in one file.
 function bodyOf({id, page}) {
   const text = read(html, page);
-  const body = /<h1 class="title">[\s\S]*?(?=<\/main>)/.exec(text)[0]
-      .replace(/<\/div><\/div>\s*<\/div><!--header-->|<\/div><!--header-->/, '').replace(/<nav class="turn"[\s\S]*?<\/nav>/, '')
-      .replace(/<\/?div class="(?:contents|textblock|headertitle|header)">/g, '').replace(/<\/div><!-- (?:contents|PageDoc) -->/g, '');
+  const title = /<h1 class="title">[\s\S]*?<\/h1>/.exec(text)[0];
+  const inner = /<div class="textblock">([\s\S]*)<\/div>\s*<\/div><!-- contents -->/.exec(text)[1];
+  const body = title + inner.replace(/<nav class="turn"[\s\S]*?<\/nav>/, '');
   const glyphs = /<svg class="glyphs"[\s\S]*?<\/svg>/.exec(text)?.[0] ?? '';
   const own = (name) => `${id}--${name}`;
   return (glyphs + body)
@@ -32,7 +32,7 @@ function assemble() {
   const style = (name) => `<style>${read(html, name)}</style>`;
   const entry = (page) => `<li><a href="#${page.id}">${page.number ? `<span class="number">${page.number}</span> ` : ''}${page.title}</a>` +
                           `<span class="page" data-page="${page.id}"></span></li>`;
-  const part = (page) => `<article id="${page.id}"><div class="header"></div><div class="contents"><div class="textblock">${bodyOf(page)}</div></div></article>`;
+  const part = (page) => `<article id="${page.id}"><div class="contents"><div class="textblock">${bodyOf(page)}</div></div></article>`;
   const ordered = [otherPages[1], ...chapters, ...back];
   return `<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` +
     ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') + '</head><body class="book"><main>' +
