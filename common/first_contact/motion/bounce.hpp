@@ -7,13 +7,16 @@ namespace first_contact {
 
 /// The ball meets the floor, at height 0.
 struct Landing {
+  /// Since the start.
   double time;
   double speed;  ///< downwards, just before
 };
 
 /// The top of an arc.
 struct Apex {
+  /// Since the start.
   double time;
+  /// Above the floor.
   double height;
 };
 

@@ -26,6 +26,8 @@ namespace first_contact::program {
 ///     }
 class Program {
  public:
+  /// \param name  of the program
+  /// \param purpose  one line for `--help`
   /// \param chapter  the folder of the chapter, also of its figures: "01_plane"
   Program(std::string name, std::string chapter, const std::string& purpose);
   Program(const Program&) = delete;
@@ -35,6 +37,7 @@ class Program {
   /// A rule for a number: it returns what the number must be if it is not that, else nothing.
   using Rule = std::function<std::string(double)>;
 
+  ///@{
   /// Options with their default values; vectors are comma-separated, `--p1=-1,8` and `--p1 -1,8` alike.
   void option(const std::string& name, double& value, const std::string& letters, const std::string& help,
               const Rule& rule = {});
@@ -48,6 +51,7 @@ class Program {
               const std::string& help);
   void option(const std::string& name, std::string& value, const std::vector<std::string>& choices,
               const std::string& help);
+  ///@}
 
   /// Was this option given on the command line?
   bool given(const std::string& name) const;
@@ -66,8 +70,13 @@ class Program {
   /// Reads the command line, checks all of it, runs the chapter, then prints the report or the JSON.
   int run(int argc, char** argv, const std::function<void()>& chapter);
 
+  /// What is printed for a reader.
   Report& report();
+  /// What `--json` prints.
   Json& json();
+  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as JSON.
+  void value(const std::string& name, double number);
+  /// The language of this run.
   Language language() const;
   /// Text in the language of this run.
   const std::string& say(const Text& text) const { return text.in(language()); }

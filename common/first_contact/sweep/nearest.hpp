@@ -14,7 +14,9 @@ namespace first_contact {
 /// A face at a touched edge or vertex, and the direction within the face in which it leaves the edge at a
 /// right angle (not used for a vertex). Not of unit length.
 struct FaceAround {
+  /// The face.
   const Facet* facet;
+  /// The direction.
   Vector inward;
 };
 
