@@ -23,6 +23,15 @@ Table path_of(const Flight& flight, double until) {
   return rows;
 }
 
+// Axes with their names: time below, and what is measured above on the left.
+void write_axes(std::ostream& out, const Program& program, const program::Text& above,
+                const program::Text& below) {
+  out << "set lmargin at screen 0.08\nset rmargin at screen 0.965\nset bmargin at screen 0.175\n"
+      << "set tmargin at screen 0.88\nset grid\nunset key\nset xtics font \",15\"\nset ytics font \",15\"\n"
+      << "set label 21 \"" << program.say(above) << "\" at screen 0.02, 0.945 left tc rgb INK\n"
+      << "set label 22 \"" << program.say(below) << "\" at screen 0.5225, 0.05 center tc rgb INK\n";
+}
+
 // The same throw as printed and as it is.
 void draw_printed_and_physical(const Program& program, const Flight& printed, const Flight& physical) {
   const double end = std::clamp(physical.rest_time.value_or(12) * 1.12, 1.0, std::max(1.0, printed.t.back()));
@@ -34,10 +43,8 @@ void draw_printed_and_physical(const Program& program, const Flight& printed, co
   figure.data("printed", path_of(printed, end), 6);
   figure.data("physical", path_of(physical, end), 6);
   std::ostream& out = figure.script();
-  out << "set lmargin at screen 0.09\nset rmargin at screen 0.975\nset bmargin at screen 0.145\n"
-      << "set tmargin at screen 0.96\nset xrange [0:" << end << "]\nset yrange [0:" << top << "]\nset grid\n"
-      << "set xlabel \"" << program.say({"time", "時間"}) << "\" offset 0, 0.4\n"
-      << "set ylabel \"" << program.say({"height", "高度"}) << "\" offset 0.5, 0\nunset key\n"
+  write_axes(out, program, {"height", "高度"}, {"time", "時間"});
+  out << "set xrange [0:" << end << "]\nset yrange [0:" << top << "]\n"
       << "set label 1 \"" << program.say({"as printed", "論文所印"})
       << "\" at graph 0.19, 0.42 left tc rgb PINK\n"
       << "set label 2 \"" << program.say({"solved at its impacts", "於碰撞時求解"})
@@ -45,8 +52,8 @@ void draw_printed_and_physical(const Program& program, const Flight& printed, co
   if (physical.rest_time && *physical.rest_time < end)
     out << "set arrow 3 from " << *physical.rest_time << ",0 to " << *physical.rest_time << "," << 0.55 * top
         << " nohead lc rgb GREY lw 1.2 dt (6,5)\nset label 3 \""
-        << program.say({"rest, after infinitely\\nmany impacts", "靜止：此前碰撞\\n無窮多次"}) << "\" at "
-        << *physical.rest_time << "," << 0.66 * top << " center tc rgb INK\n";
+        << program.say({"rest, after infinitely\\nmany impacts", "靜止：此前碰撞\\n無窮多次"})
+        << "\" at graph 0.998, 0.67 right tc rgb INK\n";
   out << "plot $physical using 1:2 with lines lc rgb GREEN lw 2.2, $printed using 1:2 with lines lc rgb PINK "
          "lw 2.2\n";
   figure.draw();
@@ -71,19 +78,16 @@ void draw_energy(const Program& program) {
   add("parabola", Stepper::parabola);
   add("semi", Stepper::semi_implicit_euler);
   std::ostream& out = figure.script();
-  out << "set lmargin at screen 0.09\nset rmargin at screen 0.975\nset bmargin at screen 0.145\n"
-      << "set tmargin at screen 0.96\nset xrange [0:60]\nset yrange [0:11]\nset grid\nset ytics 2\nunset "
-         "key\n"
-      << "set xlabel \"" << program.say({"time (s)", "時間（秒）"}) << "\" offset 0, 0.4\n"
-      << "set ylabel \"" << program.say({"energy", "能量"}) << "\" offset 0.5, 0\n"
+  write_axes(out, program, {"energy, of what it was", "能量（與初值之比）"}, {"time (s)", "時間（秒）"});
+  out << "set xrange [0:60]\nset yrange [0:10]\nset ytics 2\n"
       << "set label 1 \"" << program.say({"explicit Euler", "顯式 Euler"})
-      << "\" at 37, 8.0 right tc rgb RED\n"
-      << "set label 2 \"" << program.say({"parabolas, impacts a step late", "拋物線，碰撞遲一格"})
-      << "\" at 58.8, 4.55 right tc rgb PINK\n"
+      << "\" at 39, 7.6 right tc rgb RED\n"
+      << "set label 2 \"" << program.say({"exact parabolas", "精確拋物線"})
+      << "\" at 59, 2.3 right tc rgb PINK\n"
       << "set label 3 \"" << program.say({"semi-implicit Euler", "半隱式 Euler"})
-      << "\" at 58.8, 0.42 right tc rgb BLUE\n"
+      << "\" at 59, 0.42 right tc rgb BLUE\n"
       << "set label 4 \"" << program.say({"solved at impacts", "於碰撞時求解"})
-      << "\" at 58.8, 1.5 right tc rgb GREEN\n"
+      << "\" at 59, 1.42 right tc rgb GREEN\n"
       << "plot $explicit with lines lc rgb RED lw 2, $parabola with lines lc rgb PINK lw 2, "
       << "$semi with lines lc rgb BLUE lw 1.6, 1 with lines lc rgb GREEN lw 2.2\n";
   figure.draw();

@@ -22,7 +22,7 @@ constexpr double radius = 1;         // the ball rests on the obstacle, whose to
 Diagram axes(const Flight& flight) {
   const double highest = *std::max_element(flight.y.begin(), flight.y.end());
   const double top = highest <= 29 ? 30 : 5 * std::ceil((highest + 1) / 5);
-  return {{720, 520}, 0.105, 0.975, 0.135, 0.91, {Eigen::Vector2d(-1, -5), Eigen::Vector2d(15, top)}};
+  return {{720, 530}, 0.115, 0.965, 0.15, 0.9, {Eigen::Vector2d(-1, -5), Eigen::Vector2d(15, top)}};
 }
 
 std::vector<Moment> moments(const Flight& flight, double until) {
@@ -56,10 +56,11 @@ void write_stage(Figure& figure, const Program& program, const Diagram& diagram)
   figure.data("obstacle", {{-0.1, -1}, {20, -1}, {20, -1.3}, {-0.1, -1.3}, {-0.1, -1}});
   out << diagram.commands()
       << "set title \"Rigid ball object collides an obstacle in 2D space.\" offset 0, -0.3\n"
-      << "set ylabel \"" << program.say({"distance", "距離"}) << "\" offset 0.5, 0\n"
-      << "set xlabel \"" << program.say({"time", "時間"}) << "\" offset 0, 0.4\n"
-      << "set grid\nset border 15\nset xtics 5\nset ytics 5\n"
-      << "set key top right box lc rgb PALE width 1 height 0.6 opaque fillcolor rgb PAPER samplen 2.2\n"
+      << "set label 21 \"" << program.say({"distance", "距離"})
+      << "\" at screen 0.03, 0.525 center rotate by 90 tc rgb INK\n"
+      << "set label 22 \"" << program.say({"time", "時間"}) << "\" at screen 0.54, 0.045 center tc rgb INK\n"
+      << "set grid\nset border 15\nset xtics 5 font \",15\"\nset ytics 5 font \",15\"\n"
+      << "set key top right box lc rgb PALE width -1 height 0.6 opaque fillcolor rgb PAPER samplen 2.2\n"
       << "obstacle = \"" << program.say({"obstacle", "障礙物"}) << "\"\n"
       << "path = \"" << program.say({"trajectory", "軌跡"}) << "\"\n"
       << "BALL_X = " << 2 * ball.x() << "\nBALL_Y = " << 2 * ball.y() << "\n";
@@ -68,6 +69,17 @@ void write_stage(Figure& figure, const Program& program, const Diagram& diagram)
 constexpr const char* obstacle_clause =
     "$obstacle using 1:2 with filledcurves closed fc rgb YELLOW fs solid border lc rgb INK lw 0.8 title "
     "obstacle";
+
+// The plot clauses of what all three figures show, from the data blocks of these names.
+const std::string path_clause = ", \\\n     $path using 1:2 with lines lc rgb RED lw 2";
+const std::string ball_style = ":(BALL_X):(BALL_Y) with ellipses fc rgb BLUE fs solid noborder notitle";
+const std::string ball_clause = ", \\\n     $ball using 1:2" + ball_style;
+const std::string stamp_style =
+    ":(BALL_X):(BALL_Y) with ellipses fc rgb fade(BLUE,0.28) fs solid border lc rgb BLUE lw 0.7 notitle";
+
+// A gif knows no half-transparent colours.
+const std::string pale_stamp_style =
+    ":(BALL_X):(BALL_Y) with ellipses fc rgb FLOOR fs solid border lc rgb BLUE lw 0.7 notitle";
 
 // The arrow that the paper's reader sets with the mouse: at the right of the rebound, pointing at it.
 void write_arrow(std::ostream& out, const Flight& flight) {
@@ -78,30 +90,35 @@ void write_arrow(std::ostream& out, const Flight& flight) {
   const Eigen::Vector2d tip = moment_at(flight, time).at + Eigen::Vector2d(0.14, 0.1);
   out << "set arrow 1 from " << tip.x() + 1.25 << "," << tip.y() << " to " << tip.x() << "," << tip.y()
       << " head filled size screen 0.02,18,60 front lc rgb INK lw 1.6\n"
-      << "set label 1 path at " << tip.x() + 1.45 << "," << tip.y() << " left front\n";
+      << "set label 1 path at " << tip.x() + 1.45 << "," << tip.y() << " left front tc rgb INK\n";
 }
 
-Table balls(const std::vector<Moment>& list) { return rows(list); }
+// What the pictures of a gif show besides stage and ball.
+struct Moving {
+  std::string before;   // commands of a picture's own
+  std::string drawn;    // plot clauses of a picture; its time is T
+  std::string resting;  // plot clauses of what rests, for the svg
+};
 
-// What moves in a gif: the path as far as the ball has come, or all of it, and the ball.
-void write_gif(Figure& figure, const Flight& flight, const Diagram& diagram, bool path_first,
-               const std::string& extra) {
+// The corners of the path and the places at every picture's time.
+Table trail_of(const Flight& flight, const Diagram& diagram) {
+  Table trail = path_of(flight, diagram, played);
+  for (int k = 0; k * frame_time < played; ++k) trail.push_back(rows({moment_at(flight, k * frame_time)})[0]);
+  std::sort(trail.begin(), trail.end());
+  return trail;
+}
+
+// The script of an animation: as gif picture by picture, else what rests.
+void write_pictures(Figure& figure, const Flight& flight, const Moving& moving) {
   Table frames;
-  for (int k = 0; k * frame_time < played + frame_time / 2; ++k)
-    frames.push_back(rows({moment_at(flight, k * frame_time)}).front());
-  figure.data("frames", frames, 5);
-  figure.data("path", path_of(flight, diagram, shown), 6);
-  std::ostream& out = figure.script();
-  const std::string moving = path_first
-                                 ? "$path using 1:2 with lines lc rgb RED lw 1.8 notitle"
-                                 : "$frames every ::0::k using 1:2 with lines lc rgb RED lw 1.8 notitle";
-  out << "if (format eq \"gif\") {\n  do for [k = 0:" << frames.size() - 1 << "] {\n"
-      << extra << "    plot " << obstacle_clause << ", \\\n     " << moving
-      << ", \\\n     $frames every ::k::k using 1:2:(BALL_X):(BALL_Y) with ellipses fc rgb BLUE fs solid "
-         "noborder "
-         "notitle\n  }\n} else {\n  plot "
-      << obstacle_clause
-      << (path_first ? ", \\\n     $path using 1:2 with lines lc rgb RED lw 1.8 notitle" : "") << "\n}\n";
+  for (int k = 0; k * frame_time < played; ++k)
+    frames.push_back(rows({moment_at(flight, k * frame_time)})[0]);
+  figure.data("frames", frames, 6);
+  figure.script() << "if (format eq \"gif\") {\n  do for [k = 0:" << frames.size() - 1
+                  << "] {\n    T = " << frame_time << " * k + 1e-9\n"
+                  << moving.before << "    plot " << obstacle_clause << moving.drawn
+                  << ", \\\n     $frames every ::k::k using 1:2" << ball_style << "\n  }\n} else {\n  plot "
+                  << obstacle_clause << moving.resting << "\n}\n";
 }
 
 // Figure 13: the path is planned.
@@ -111,11 +128,8 @@ void draw_plan(const Program& program, const Flight& flight) {
   write_stage(figure, program, diagram);
   write_arrow(figure.script(), flight);
   figure.data("path", path_of(flight, diagram, shown), 6);
-  figure.data("ball", balls({moment_at(flight, 0)}));
-  figure.script()
-      << "plot " << obstacle_clause
-      << ", \\\n     $path using 1:2 with lines lc rgb RED lw 2 notitle, \\\n"
-         "     $ball using 1:2:(BALL_X):(BALL_Y) with ellipses fc rgb BLUE fs solid noborder notitle\n";
+  figure.data("ball", rows({moment_at(flight, 0)}));
+  figure.script() << "plot " << obstacle_clause << path_clause << " notitle" << ball_clause << "\n";
   figure.draw();
 }
 
@@ -135,21 +149,22 @@ void draw_check(const Program& program, const Flight& flight) {
   write_stage(figure, program, diagram);
   figure.data("path", path_of(flight, diagram, shown), 6);
   figure.data("tested", rows(tested), 6);
-  figure.data("ball", balls({moment_at(flight, end)}));
+  figure.data("ball", rows({moment_at(flight, end)}));
   std::ostream& out = figure.script();
   const std::size_t hits = std::min<std::size_t>(2, flight.impacts.size());
-  for (std::size_t i = 0; i < hits; ++i) {
-    const double x = flight.impacts[i].time, y = i == 0 ? 4.6 : 8.2;
-    if (!(x < 10)) continue;
-    out << "set arrow " << i + 1 << " from " << x + 0.75 << "," << y << " to " << x + 0.1 << ",0.5"
-        << " head filled size screen 0.02,18,60 front lc rgb INK lw 1.6\n"
-        << "set label " << i + 1 << " \"" << hit_words(program, i) << "\" at " << x + 0.9 << "," << y + 0.3
-        << " left front\n";
+  // The words of the first hit are below the obstacle, those of the second to its right.
+  const Eigen::Vector2d words[]{{1.1, -3.4}, {1.3, 3.6}};
+  for (std::size_t i = 0; i < hits && flight.impacts[i].time < 9; ++i) {
+    const double x = flight.impacts[i].time;
+    const Eigen::Vector2d at = words[i] + Eigen::Vector2d(x, 0);
+    out << "set arrow " << i + 1 << " from " << at.x() - 0.15 << "," << at.y() << " to " << x + 0.1 << ","
+        << (i == 0 ? -0.5 : 0.5) << " head filled size screen 0.02,18,60 front lc rgb INK lw 1.6\n"
+        << "set label " << i + 1 << " \"" << hit_words(program, i) << "\" at " << at.x() << "," << at.y()
+        << " left front tc rgb INK\n";
   }
-  out << "plot " << obstacle_clause
-      << ", \\\n     $path using 1:2 with lines lc rgb RED lw 2 title path, \\\n"
-         "     $tested using 1:2 with points pt 7 ps 0.45 lc rgb BLUE title tested, \\\n"
-         "     $ball using 1:2:(BALL_X):(BALL_Y) with ellipses fc rgb BLUE fs solid noborder notitle\n";
+  out << "tested = \"" << program.say({"tested", "測試點"}) << "\"\nplot " << obstacle_clause << path_clause
+      << " title path, \\\n     $tested using 1:2 with points pt 7 ps 0.4 lc rgb BLUE title tested"
+      << ball_clause << "\n";
   figure.draw();
 }
 
@@ -169,45 +184,64 @@ void draw_fall(const Program& program, const Flight& flight) {
   const std::vector<Moment> list = stamps(flight);
   figure.data("path", path_of(flight, diagram, shown), 6);
   figure.data("stamps", rows(list), 6);
-  figure.data("ball", balls({list.back()}));
-  figure.script()
-      << "plot " << obstacle_clause
-      << ", \\\n     $path using 1:2 with lines lc rgb RED lw 1.6 notitle, \\\n"
-         "     $stamps using 1:2:(BALL_X):(BALL_Y) with ellipses fc rgb fade(BLUE,0.28) fs solid border "
-         "lc rgb BLUE lw 0.7 notitle, \\\n"
-         "     $ball using 1:2:(BALL_X):(BALL_Y) with ellipses fc rgb BLUE fs solid noborder notitle\n";
+  figure.data("ball", rows({list.back()}));
+  if (flight.impacts.size() > 1 && flight.impacts[1].time < 9) {
+    const double fall = 0.2 * flight.impacts[0].time,
+                 rise = 0.25 * flight.impacts[0].time + 0.75 * flight.impacts[1].time;
+    figure.script() << "set label 1 \"" << program.say({"fast", "快"}) << "\" at " << fall + 0.45 << ","
+                    << height_at(flight, fall) + 0.6 << " left tc rgb INK\nset label 2 \""
+                    << program.say({"slow", "慢"}) << "\" at " << rise + 0.45 << ","
+                    << height_at(flight, rise) + 0.8 << " left tc rgb INK\n";
+  }
+  figure.script() << "plot " << obstacle_clause << path_clause << " notitle, \\\n     $stamps using 1:2"
+                  << stamp_style << ball_clause << "\n";
   figure.draw();
 }
 
-// Programs 1 to 3 as they run. The first draws its path behind the ball, the second has it before and calls the hits,
-// the third leaves the ball's image at equal steps of time.
+// Program 1 as it runs: the path is drawn behind the ball.
+void animate_plan(Figure& figure, const Flight& flight, Animation& animation, Moving& moving) {
+  figure.data("trail", trail_of(flight, axes(flight)), 6);
+  animation.trace(moments(flight, played), colour::red, 2);
+  moving.drawn = ", \\\n     $trail using ($1 <= T ? $1 : NaN):2 with lines lc rgb RED lw 2 notitle";
+}
+
+// Program 2: the path is there before, and the first two hits are called.
+void animate_check(const Program& program, Figure& figure, const Flight& flight, Animation& animation,
+                   Moving& moving) {
+  const Diagram diagram = axes(flight);
+  figure.data("path", path_of(flight, diagram, shown), 6);
+  moving.drawn = moving.resting = path_clause + " notitle";
+  const std::size_t hits = std::min<std::size_t>(2, flight.impacts.size());
+  for (std::size_t i = 0; i < hits && flight.impacts[i].time < played; ++i) {
+    const double from = flight.impacts[i].time, until = i + 1 < hits ? flight.impacts[i + 1].time : played;
+    animation.text(hit_words(program, i), {5.2, 12}, from, until, colour::ink, program.studio().chinese);
+    moving.before += "    if (T >= " + program::readable(from) + ") { set label 1 \"" +
+                     hit_words(program, i) + "\" at 5.2, 12 left tc rgb INK }\n";
+  }
+}
+
+// Program 3: the ball leaves its image at equal steps of time.
+void animate_fall(Figure& figure, const Flight& flight, Animation& animation, Moving& moving) {
+  figure.data("stamps", rows(stamps(flight)), 6);
+  moving.drawn = ", \\\n     $stamps using ($1 <= T ? $1 : NaN):2" + pale_stamp_style;
+  for (const Moment& stamp : stamps(flight))
+    if (stamp.time < played) animation.stamp(stamp, radius, colour::blue, 0.28);
+}
+
 void animate(const Program& program, const Flight& flight, int number) {
   const Diagram diagram = axes(flight);
   const std::string name = "figure-" + std::to_string(number) + "-animated";
-  const bool chinese = program.studio().chinese;
   Figure figure(svg_only(program.studio()), name, diagram.size);
-  figure.script() << gif_terminal(name, diagram.size, 4, chinese);
+  figure.script() << gif_terminal(name, diagram.size, 4, program.studio().chinese);
   write_stage(figure, program, diagram);
+  figure.script() << "if (format eq \"gif\") { set xtics font \",12\"; set ytics font \",12\" }\n";
   Animation animation(diagram, played, played);
-  const std::vector<Moment> list = moments(flight, played);
-  std::string extra;
-  if (number == 13) animation.trace(list, colour::red, 2);
-  if (number == 14)
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, flight.impacts.size()); ++i) {
-      const double from = flight.impacts[i].time,
-                   until = i == 0 && flight.impacts.size() > 1 ? flight.impacts[1].time : played;
-      if (!(from < played)) break;
-      animation.text(hit_words(program, i), {5.2, 12}, from, until, colour::ink, chinese);
-      extra += "    if (k * " + std::to_string(frame_time) + " >= " + std::to_string(from) +
-               ") {set label 1 \"" + hit_words(program, i) + "\" at 5.2, 12 left}\n";
-    }
-  if (number == 15) {
-    figure.data("stamps", rows(stamps(flight)), 6);
-    for (const Moment& stamp : stamps(flight))
-      if (stamp.time < played) animation.stamp(stamp, radius, colour::blue, 0.28);
-  }
-  animation.ball(list, radius, colour::blue);
-  write_gif(figure, flight, diagram, number == 14, extra);
+  Moving moving;
+  if (number == 13) animate_plan(figure, flight, animation, moving);
+  if (number == 14) animate_check(program, figure, flight, animation, moving);
+  if (number == 15) animate_fall(figure, flight, animation, moving);
+  animation.ball(moments(flight, played), radius, colour::blue);
+  write_pictures(figure, flight, moving);
   draw_animated(program.studio(), name, figure, animation);
 }
 

@@ -51,13 +51,13 @@ void tell_plan(Report& report, const PrintedMotion& motion) {
   if (motion.y.size() > 1)
     report.row("y(2)", with_digits(motion.y[1], 8), {"one step later", "下一點的高度"});
   if (!motion.hits.empty())
-    report.row("first y < 0", "i = " + hit(0), {"sample number, from 1", "第一次低於地面的點序"});
+    report.row("first i, y(i) < 0", hit(0), {"sample number, from 1", "第一次低於地面的點序"});
   if (!tops.empty())
     report.row("max y after it", with_digits(tops.front().height, 9),
                {"top of the rebound, at t = " + readable(tops.front().time),
                 "反彈的最高點，t = " + readable(tops.front().time)});
   if (motion.hits.size() > 1)
-    report.row("second y < 0", "i = " + hit(1), {"sample number", "第二次低於地面的點序"});
+    report.row("second i, y(i) < 0", hit(1), {"sample number", "第二次低於地面的點序"});
   report.row("hits", std::to_string(motion.hits.size()),
              {"in " + std::to_string(motion.y.size()) + " samples: at last every step is one",
               std::to_string(motion.y.size()) + " 點中的碰撞次數：最後每一步都算一次"});
@@ -226,7 +226,7 @@ int main(int argc, char** argv) {
   program.option("--samples", scene.samples, "n", "number of samples", sample_count);
   program.option("--restitution", scene.restitution, "e", "part of the speed that an impact leaves",
                  at_most_one);
-  program.option("--model", scene.model, {"printed", "physical"},
+  program.option("--model", scene.model, std::vector<std::string>{"printed", "physical"},
                  "of the results, the file and figures 13 to 15");
   program.option("--csv", scene.csv, "FILE", "write the samples there, columns t,y");
   return program.run(argc, argv, [&] {
