@@ -85,10 +85,12 @@ class Picture {
         tree_(triangles_, BspLimits{0, 64, 16, 8}),
         search_(ball, Bounds({0, 0, 0}, {7, 5, 1}), [](std::size_t) { return false; }),
         scene_({0, 0}, 0.02) {
-    draw(0, {{0, 0, 0}, {6.9, 0, 0}, {6.9, 4.8, 0}, {0, 4.8, 0}}, {}, {11.1, 4.45, 0}, 1.72, true);
+    draw(0, {{0, 0, 0}, {6.9, 0, 0}, {6.9, 4.8, 0}, {0, 4.8, 0}}, {}, {11.1, 4.35, 0}, 1.72, true);
     for (const Wall& wall : walls) scene_.line({wall.from, wall.to}, {colour::blue, 4.0}, 4);
     for (std::size_t i = 0; i < walls.size(); ++i) {
       const Vector along = (walls[i].to - walls[i].from).normalized(), across(-along.y(), along.x(), 0);
+      const Point middle = 0.5 * (walls[i].from + walls[i].to);
+      scene_.arrow(middle, middle - 0.42 * across, {colour::ink, 1.6}, 5);
       scene_.label(std::to_string(i + 1), 0.5 * (walls[i].from + walls[i].to) + 0.2 * across, 0, 0,
                    colour::blue);
     }
@@ -107,7 +109,11 @@ class Picture {
     const BspTree::Node& node = tree_.node(number);
     if (node.is_leaf()) return draw_leaf(region, at, reached);
     const Sides sides = reached ? search_.sides(*node.plane, part) : Sides{{1, 0}, {1, 0}};
-    const Point below_front = at + Vector(-spread, -1.02, 0), below_back = at + Vector(spread, -1.02, 0);
+    const Point below_front = at + Vector(-spread, -1.27, 0), below_back = at + Vector(spread, -1.27, 0);
+    if (number == 0) {
+      scene_.label("+", at + Vector(-0.5 * spread, -0.42, 0), -0.4, 0.4, colour::grey);
+      scene_.label("−", at + Vector(0.5 * spread, -0.42, 0), 0.4, 0.4, colour::grey);
+    }
     draw_branch(at, below_front, !sides.front.empty());
     draw_branch(at, below_back, !sides.back.empty());
     scene_.line(cut_through(region, *node.plane), {colour::grey, 1.4, true}, 1);
@@ -132,7 +138,8 @@ class Picture {
                   reached ? Pen{colour::red, 2.2} : Pen{colour::grey, 1.4}},
                  3);
     scene_.label("{/:Italic " + letter + "}", at);
-    scene_.label("{/:Italic " + letter + "}", middle_of(region));
+    scene_.label("{/:Italic " + letter + "}",
+                 middle_of(region) + beside_[static_cast<std::size_t>(leaves_ - 1)]);
   }
 
   std::vector<Triangle> triangles_;
@@ -140,12 +147,15 @@ class Picture {
   BallSearch search_;
   figure::Scene scene_;
   int leaves_ = 0;
+  // The names of the parts of space, moved from their middles to where nothing else stands.
+  std::array<Vector, 6> beside_{Vector(0.9, -0.25, 0), Vector(0.65, 0.1, 0), Vector(0, 0, 0),
+                                Vector(0.7, 0, 0),     Vector(0, 0, 0),      Vector(0, 0, 0)};
 };
 
 }  // namespace
 
 void draw_bsp(const Studio& studio) {
-  const Picture picture(Moving<Sphere>{{{5.6, 2.2, 0}, 0.22}, {-1.3, 0.3, 0}});
+  const Picture picture(Moving<Sphere>{{{5.6, 2.35, 0}, 0.2}, {-1.7, -0.75, 0}});
   Figure figure(studio, "bsp-tree", picture.scene().size(960));
   picture.scene().draw(figure);
   figure.draw();

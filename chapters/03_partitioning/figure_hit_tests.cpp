@@ -39,36 +39,36 @@ void add_pointer(figure::Scene& scene, const Point& tip) {
 
 }  // namespace
 
-void draw_hit_tests(const program::Program& program) {
+void draw_hit_tests(const Studio& studio) {
   const Stage stage;
-  figure::Scene scene({0, 0}, 0.02);
-  const auto title = [&](const Vector& shift, double middle, const char* name, const program::Text& answer) {
-    scene.label(name, shift + Vector(middle, -0.55, 0));
-    scene.label(program.say(answer), shift + Vector(middle, -1.05, 0), 0, 0, colour::grey);
+  figure::Scene scene({0, 0}, 0.04);
+  const auto title = [&](const Vector& shift, double middle, const std::string& call, bool hit) {
+    scene.label(call, shift + Vector(middle, -0.55, 0));
+    scene.label(hit ? "true" : "false", shift + Vector(middle, -1.05, 0), 0, 0,
+                hit ? colour::red : colour::green);
   };
   const Point tip(stage.pointer.x(), stage.pointer.y(), 0);
-  const Vector first(0, 0, 0), second(4.5, 0, 0), third(9.0, 0, 0);
-  const bool in_box = hit_test_point(stage.leaf, stage.pointer),
-             in_shape = hit_test_point(stage.leaf, stage.pointer, true);
+  const Vector first(0, 0, 0), second(5.0, 0, 0), third(10.0, 0, 0);
+  const bool in_box = hit_test_point(stage.leaf, stage.pointer);
   add_box(scene, stage.leaf.bounding_box(), first, in_box);
   add_shape(scene, stage.leaf, first, false);
   add_pointer(scene, first + tip);
-  title(first, 1.7, "hitTestPoint",
-        in_box ? program::Text{"box: true", "範圍框：true"} : program::Text{"box: false", "範圍框：false"});
+  title(first, 1.7, "hitTestPoint({/:Italic x}, {/:Italic y}, false)", in_box);
+
+  const bool in_shape = hit_test_point(stage.leaf, stage.pointer, true);
+  add_box(scene, stage.leaf.bounding_box(), second, false);
   add_shape(scene, stage.leaf, second, in_shape);
   add_pointer(scene, second + tip);
-  title(second, 1.7, "hitTestPoint",
-        in_shape ? program::Text{"shape: true", "形狀：true"} : program::Text{"shape: false", "形狀：false"});
+  title(second, 1.7, "hitTestPoint({/:Italic x}, {/:Italic y}, true)", in_shape);
+
   const bool boxes = hit_test_object(stage.leaf, stage.hook);
   add_box(scene, stage.leaf.bounding_box(), third, false);
   add_box(scene, stage.hook.bounding_box(), third, false);
   add_box(scene, stage.leaf.bounding_box().intersection(stage.hook.bounding_box()), third, boxes);
   add_shape(scene, stage.leaf, third, false);
   add_shape(scene, stage.hook, third, false);
-  title(
-      third, 1.9, "hitTestObject",
-      boxes ? program::Text{"boxes: true", "範圍框：true"} : program::Text{"boxes: false", "範圍框：false"});
-  Figure figure(program.studio(), "hit-tests", scene.size(900));
+  title(third, 1.9, "hitTestObject", boxes);
+  Figure figure(studio, "hit-tests", scene.size(960));
   scene.draw(figure);
   figure.draw();
 }

@@ -59,12 +59,13 @@ void draw_same_side(const Studio& studio) {
   add_motion(scene, {1.5, 0, 1.6}, {3.4, 0, -0.9}, r, colour::red);
   scene.arrow({-4.1, 0, 0}, {-4.1, 0, 0.9}, {colour::ink, 2.4});
   scene.label("{/:Bold N}", {-4.1, 0, 0.9}, 1.2, 0);
-  scene.label("{/:Italic Q}_1", {-3.5, 0, 1.9}, -1.0, 0.6);
-  scene.label("{/:Italic Q}_2", {-1.5, 0, 0.85}, 1.2, 0.5);
-  scene.label("{/:Italic Q}_1", {0.1, 0, -0.9}, 1.2, 0.3);
-  scene.label("{/:Italic Q}_2", {-2.2, 0, -1.7}, -1.2, 0.2);
-  scene.label("{/:Italic Q}_1", {1.5, 0, 1.6}, 1.2, 0.5);
-  scene.label("{/:Italic Q}_2", {3.4, 0, -0.9}, 1.2, -0.3);
+  const double out = 1.5 * r;
+  scene.label("{/:Italic Q}_1", Point(-3.5, 0, 1.9) + Vector(-out, 0, 0));
+  scene.label("{/:Italic Q}_2", Point(-1.5, 0, 0.85) + Vector(out, 0, 0.1));
+  scene.label("{/:Italic Q}_1", Point(0.1, 0, -0.9) + Vector(out, 0, 0));
+  scene.label("{/:Italic Q}_2", Point(-2.2, 0, -1.7) + Vector(-out, 0, 0));
+  scene.label("{/:Italic Q}_1", Point(1.5, 0, 1.6) + Vector(out, 0, 0.1));
+  scene.label("{/:Italic Q}_2", Point(3.4, 0, -0.9) + Vector(out, 0, -0.1));
   scene.dot({5.9, 0, 0}, colour::paper);
   Figure figure(studio, "same-side", scene.size());
   scene.draw(figure);
@@ -84,19 +85,20 @@ void draw_grown_planes(const Studio& studio) {
                 {colour::floor, 1, false, Pen{colour::blue, 1.6}}, 0);
   scene.line({corner + long_side * left, corner, corner + long_side * right}, {colour::pink, 2.2, true}, 1);
   // The true surface of all centres in contact: r from the faces, and an arc about the edge.
-  std::vector<Point> surface{edge + r * out_right + (side - r / std::tan(half) * 0) * right};
+  const double straight = (depth + r * std::sin(half)) / std::cos(half);
+  std::vector<Point> surface{edge + r * out_right + straight * right};
   for (const Point& p : arc(edge, r, half, pi - half)) surface.push_back(p);
-  surface.push_back(edge + r * out_left + side * left);
-  scene.line(surface, {colour::green, 2.2}, 2);
+  surface.push_back(edge + r * out_left + straight * left);
+  scene.line(surface, {colour::green, 2.6}, 4);
   const Moving<Sphere> falling{{{0, 0, 16}, r}, {0, 0, -16}};
   const double early = 16 - 16 * *time_at_grown_planes(falling, wedge);
   const double touching = 16 - 16 * sweep(falling, Soup<BspTree>(wedge.faces()))->time;
   add_ball(scene, {0, 0, early}, r, 0.35);
-  add_ball(scene, {0, 0, touching}, r, 0.8, 2);
+  add_ball(scene, {0, 0, touching}, r, 0.5, 3);
   scene.dot({0, 0, early}, colour::pink);
   scene.dot({0, 0, touching}, colour::green);
   scene.dot(edge);
-  const double x = -2.6;
+  const double x = -2.2;
   scene.line({edge, {x - 0.1, 0, 0}}, {colour::grey, 1.0, true}, -1);
   scene.line({{0, 0, early}, {x - 0.1, 0, early}}, {colour::grey, 1.0, true}, -1);
   scene.arrow({x, 0, 0.5 * early}, {x, 0, early}, {colour::pink, 2.0});
@@ -109,7 +111,7 @@ void draw_grown_planes(const Studio& studio) {
   scene.line(arc(edge, 1.5, -pi / 2, -pi / 2 + half), {colour::ink, 1.2}, 3);
   scene.line({edge, {0, 0, -1.9}}, {colour::grey, 1.0, true}, 3);
   scene.label("{/:Italic α}", {0.24, 0, -1.75}, 0.2, -0.2);
-  Figure figure(studio, "grown-planes", scene.size(600));
+  Figure figure(studio, "grown-planes", scene.size(540));
   scene.draw(figure);
   figure.draw();
 }

@@ -166,7 +166,7 @@ void draw_figures(const Program& program, std::uint64_t seed) {
   draw_bsp(program.studio());
   draw_same_side(program.studio());
   draw_grown_planes(program.studio());
-  draw_hit_tests(program);
+  draw_hit_tests(program.studio());
   draw_costs(program, seed);
 }
 

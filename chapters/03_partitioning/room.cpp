@@ -72,3 +72,14 @@ std::vector<Moving<Sphere>> flights(std::size_t count, const Bounds& room, std::
   }
   return all;
 }
+
+std::vector<Moving<Sphere>> flights_at(const std::vector<Triangle>& triangles, std::size_t count,
+                                       const Bounds& room, std::uint64_t seed) {
+  auto all = flights(count, room, seed);
+  Random random(seed + 1);
+  for (auto& ball : all) {
+    const auto target = static_cast<std::size_t>(random.below(static_cast<int>(triangles.size())));
+    ball.displacement = triangles[target].a - ball.shape.center;
+  }
+  return all;
+}

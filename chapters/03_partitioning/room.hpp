@@ -41,3 +41,8 @@ std::vector<first_contact::Bounds> points(std::size_t count, Spread spread, std:
 std::vector<first_contact::Moving<first_contact::Sphere>> flights(std::size_t count,
                                                                   const first_contact::Bounds& room,
                                                                   std::uint64_t seed);
+
+/// Balls that fly from anywhere in the room toward a corner of any triangle.
+std::vector<first_contact::Moving<first_contact::Sphere>> flights_at(
+    const std::vector<first_contact::Triangle>& triangles, std::size_t count,
+    const first_contact::Bounds& room, std::uint64_t seed);
