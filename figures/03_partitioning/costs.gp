@@ -133,15 +133,15 @@ plot [3:14] x / 3 with lines lc rgb GREY lw 1.6 dt (6,5), \
 unset label
 set xtics ("8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
 set tmargin at screen 0.46
-set bmargin at screen 0.115
+set bmargin at screen 0.13
 set yrange [0:14]
 set ytics ("1" 0, "8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
 set label 1 tests at graph -0.09, 1.07 left font ",16" tc rgb INK
 set label 2 none at 12.0, 12.6 right font ",15" tc rgb GREY
-set label 3 in_bsp at 14.15, 6.75 left font ",15" tc rgb RED
-set label 4 in_octree at 14.15, 5.85 left font ",15" tc rgb RED
+set label 3 in_bsp at 14.15, 6.9 left font ",15" tc rgb RED
+set label 4 in_octree at 14.15, 5.9 left font ",15" tc rgb RED
 set label 5 in_bsp at 14.15, 4.85 left font ",15" tc rgb BLUE
-set label 6 in_octree at 14.15, 3.85 left font ",15" tc rgb BLUE
+set label 6 in_octree at 14.15, 3.8 left font ",15" tc rgb BLUE
 set xlabel objects font ",16" offset 0, 0.3
 log2(x) = log(x) / log(2)
 plot [3:14] x with lines lc rgb GREY lw 1.6 dt (6,5), \
