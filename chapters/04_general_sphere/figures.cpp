@@ -209,7 +209,7 @@ void draw_bunny(const program::Program& program) {
     if (!contact) continue;
     const Point touching = from + contact->time * ball.displacement;
     scene.arrow(touching + 0.3 * size * out.normalized(), touching, {colour::red, 1.4}, 1);
-    scene.sphere({touching, ball.shape.radius}, colour_of(contact->feature), 1, 2);
+    scene.sphere({touching, ball.shape.radius}, colour_of(contact->feature), 1, 2, 9);
   }
   const Point legend = bounds.center() - 0.62 * size * view.up() - 0.52 * size * view.right();
   const std::array<std::pair<Feature, program::Text>, 3> names{{{Feature::face, {"face", "面"}},
@@ -217,7 +217,7 @@ void draw_bunny(const program::Program& program) {
                                                                 {Feature::vertex, {"vertex", "頂點"}}}};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Point place = legend + 0.38 * size * static_cast<double>(i) * view.right();
-    scene.sphere({place, 0.035 * size}, colour_of(names[i].first), 1, 2);
+    scene.sphere({place, 0.035 * size}, colour_of(names[i].first), 1, 2, 9);
     scene.label(program.say(names[i].second), place, 1.6, 0, colour::ink, Align::left);
   }
   finish(program.studio(), "bunny", scene);

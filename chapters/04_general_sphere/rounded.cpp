@@ -9,7 +9,7 @@ using namespace first_contact::figure;
 
 namespace {
 
-constexpr int steps = 10;  // of a quarter circle or so
+constexpr int steps = 7;  // of a quarter circle or so
 constexpr double opacity = 0.3;
 
 // The direction between two unit vectors, at equal angles.

@@ -136,7 +136,7 @@ void Scene::cap(const Sphere& ball, const Vector& pole, double angle, const std:
   add(rim, style, layer, ball.center.dot(eye_));
 }
 
-void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int layer) {
+void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int layer, double step) {
   const std::vector<Point> outline = ring(ball.center, eye_, ball.radius);
   const double depth = ball.center.dot(eye_);
   if (opacity < 1) {  // glass: one even fill, a few faint lights upon it, and a rim
@@ -148,7 +148,6 @@ void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int
     add(closed, "lines " + stroke({colour, 1.2}), layer, depth);
     return;
   }
-  constexpr double step = 2.5;  // degrees between two shades: too little to see
   add(outline, area(shade(lit(colour.light, 0), 1), false), layer, depth);
   for (double angle = 90; angle > 0; angle -= step) {
     const double cosine = std::cos((angle - step / 2) * degree);

@@ -62,7 +62,9 @@ class Scene {
   /// An arrow, its head at `to`.
   void arrow(const Point& from, const Point& to, const Pen& pen = {colour::red, 2.4}, int layer = 2);
   /// A ball, shaded; below opacity 1 it is of glass.
-  void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0);
+  /// A ball, opaque or of glass. \param step  degrees between two shades; small balls need no fine ones
+  void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0,
+              double step = 2.5);
   /// The faces of a box that the eye sees, its edges, and its hidden edges dashed in grey.
   void box(const Box& box, const Fill& fill, int layer = 0);
   /// The triangles of a mesh; of a closed one only those that face the eye.
