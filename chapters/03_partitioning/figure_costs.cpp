@@ -28,22 +28,8 @@ Table rows(Spread spread, std::uint64_t seed) {
   return table;
 }
 
-}  // namespace
-
-void draw_costs(const program::Program& program, std::uint64_t seed) {
-  Figure figure(program.studio(), "costs", {760, 760});
-  figure.data("even", rows(Spread::even, seed), 5);
-  figure.data("clustered", rows(Spread::clustered, seed), 5);
-  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
-  figure.script() << "steps = \"" << say("depth of an object, octree", "物品的深度（八元樹）") << "\"\n"
-                  << "tests = \"" << say("tests on a flight", "每次飛行的測試數") << "\"\n"
-                  << "objects = \"" << say("objects {/:Italic k}", "物品數 {/:Italic k}") << "\"\n"
-                  << "evenly = \"" << say("evenly spread", "均勻分布") << "\"\n"
-                  << "crowded = \"" << say("clustered", "聚集") << "\"\n"
-                  << "none = \"" << say("no structure: {/:Italic k}", "不分割：{/:Italic k}") << "\"\n"
-                  << "in_bsp = \"BSP tree\"\n"
-                  << "in_octree = \"" << say("octree", "八元樹") << "\"\n"
-                  << R"(unset key
+// Two charts, one above the other: depths, and tests done.
+constexpr const char* costs_script = R"(unset key
 set grid
 set xrange [3:14]
 set xtics ("8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
@@ -83,5 +69,22 @@ plot [3:14] x with lines lc rgb GREY lw 1.6 dt (6,5), \
  $clustered using 1:(log2($5)) with linespoints lc rgb RED lw 2.2 dt (8,4) pt 5 ps 0.5
 unset multiplot
 )";
+
+}  // namespace
+
+void draw_costs(const program::Program& program, std::uint64_t seed) {
+  Figure figure(program.studio(), "costs", {760, 760});
+  figure.data("even", rows(Spread::even, seed), 5);
+  figure.data("clustered", rows(Spread::clustered, seed), 5);
+  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
+  figure.script() << "steps = \"" << say("depth of an object, octree", "物品的深度（八元樹）") << "\"\n"
+                  << "tests = \"" << say("tests on a flight", "每次飛行的測試數") << "\"\n"
+                  << "objects = \"" << say("objects {/:Italic k}", "物品數 {/:Italic k}") << "\"\n"
+                  << "evenly = \"" << say("evenly spread", "均勻分布") << "\"\n"
+                  << "crowded = \"" << say("clustered", "聚集") << "\"\n"
+                  << "none = \"" << say("no structure: {/:Italic k}", "不分割：{/:Italic k}") << "\"\n"
+                  << "in_bsp = \"BSP tree\"\n"
+                  << "in_octree = \"" << say("octree", "八元樹") << "\"\n"
+                  << costs_script;
   figure.draw();
 }

@@ -41,6 +41,16 @@ void add_motion(figure::Scene& scene, const Point& from, const Point& to, double
   scene.dot(to);
 }
 
+// How high above the edge the grown planes stop the ball.
+void measure_height(figure::Scene& scene, double early) {
+  const double x = -2.2;
+  scene.line({{0, 0, 0}, {x - 0.1, 0, 0}}, {colour::grey, 1.0, true}, -1);
+  scene.line({{0, 0, early}, {x - 0.1, 0, early}}, {colour::grey, 1.0, true}, -1);
+  scene.arrow({x, 0, 0.5 * early}, {x, 0, early}, {colour::pink, 2.0});
+  scene.arrow({x, 0, 0.5 * early}, {x, 0, 0}, {colour::pink, 2.0});
+  scene.label("{/:Italic r} / sin {/:Italic α}", {x, 0, 0.5 * early}, -0.6, 0, colour::pink, Align::right);
+}
+
 }  // namespace
 
 void draw_same_side(const Studio& studio) {
@@ -98,12 +108,7 @@ void draw_grown_planes(const Studio& studio) {
   scene.dot({0, 0, early}, colour::pink);
   scene.dot({0, 0, touching}, colour::green);
   scene.dot(edge);
-  const double x = -2.2;
-  scene.line({edge, {x - 0.1, 0, 0}}, {colour::grey, 1.0, true}, -1);
-  scene.line({{0, 0, early}, {x - 0.1, 0, early}}, {colour::grey, 1.0, true}, -1);
-  scene.arrow({x, 0, 0.5 * early}, {x, 0, early}, {colour::pink, 2.0});
-  scene.arrow({x, 0, 0.5 * early}, {x, 0, 0}, {colour::pink, 2.0});
-  scene.label("{/:Italic r} / sin {/:Italic α}", {x, 0, 0.5 * early}, -0.6, 0, colour::pink, Align::right);
+  measure_height(scene, early);
   scene.arrow({0, 0, touching}, Point(r * std::cos(0.9), 0, touching + r * std::sin(0.9)),
               {colour::green, 2.0}, 5);
   scene.label("{/:Italic r}", Point(0.5 * r * std::cos(0.9), 0, touching + 0.5 * r * std::sin(0.9)), 0.9,

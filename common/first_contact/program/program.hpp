@@ -79,7 +79,7 @@ class Program {
   /// The language of this run.
   Language language() const;
   /// Text in the language of this run.
-  const std::string& say(const Text& text) const { return text.in(language()); }
+  std::string say(const Text& text) const { return text.in(language()); }
   /// False with `--no-figures`.
   bool draws() const;
   /// Where figures go and how they are drawn.
