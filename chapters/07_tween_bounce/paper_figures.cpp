@@ -59,7 +59,8 @@ void write_stage(Figure& figure, const Program& program, const Diagram& diagram)
       << "set label 21 \"" << program.say({"distance", "距離"})
       << "\" at screen 0.03, 0.525 center rotate by 90 tc rgb INK\n"
       << "set label 22 \"" << program.say({"time", "時間"}) << "\" at screen 0.54, 0.045 center tc rgb INK\n"
-      << "set grid\nset border 15\nset xtics 5 font \",15\"\nset ytics 5 font \",15\"\n"
+      << "set grid\nset border 15\nset xtics 5 font \",15\"\nset ytics "
+      << (diagram.range.max().y() <= 60 ? "5" : "autofreq") << " font \",15\"\n"
       << "set key top right box lc rgb PALE width -1 height 0.6 opaque fillcolor rgb PAPER samplen 2.2\n"
       << "obstacle = \"" << program.say({"obstacle", "障礙物"}) << "\"\n"
       << "path = \"" << program.say({"trajectory", "軌跡"}) << "\"\n"
