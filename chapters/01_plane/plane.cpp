@@ -1,4 +1,7 @@
 // Chapter 1: a moving sphere meets a plane (paper, 1.2).
+#include <cmath>
+#include <limits>
+
 #include "figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
@@ -63,6 +66,7 @@ void tell_corrections(Report& report, const Scene& scene, const Moving<Sphere>& 
 }
 //! [report]
 
+//! [results]
 Json results(const Scene& scene, const Moving<Sphere>& ball, const std::optional<Contact>& contact) {
   Json json;
   json["contact"] = nullptr;
@@ -75,6 +79,28 @@ Json results(const Scene& scene, const Moving<Sphere>& ball, const std::optional
   json["distance_end"] = scene.plane.signed_distance(scene.to);
   return json;
 }
+//! [results]
+
+//! [notes]
+// Numbers that the notes speak of: the printed formula without a test, and the error bound of `sweep`.
+void note(Program& program, const Scene& scene, const Moving<Sphere>& ball) {
+  const double distance = scene.plane.signed_distance(scene.from);
+  const double toward = scene.plane.normal().dot(ball.displacement);
+  const double eps = std::numeric_limits<double>::epsilon();
+  program.value("radius", scene.radius);
+  program.value("toward", toward);
+  program.value("gap", distance - scene.radius);
+  program.value("gap_end", scene.plane.signed_distance(scene.to) - scene.radius);
+  program.value("printed_time", (scene.radius - distance) / toward);
+  for (const double length : {0.5, 2.0}) {  // of a normal that was not made a unit vector
+    const std::string name = length < 1 ? "short" : "long";
+    program.value(name + "_time", (scene.radius - length * distance) / (length * toward));
+    program.value(name + "_height", scene.radius / length);
+  }
+  program.value("error_bound", 8 * eps * (scene.from.norm() + std::abs(scene.plane.offset()) + scene.radius) /
+                                   std::abs(toward));
+}
+//! [notes]
 
 }  // namespace
 
@@ -94,6 +120,7 @@ int main(int argc, char** argv) {
     tell(program.report(), scene, ball, contact);
     tell_corrections(program.report(), scene, ball);
     program.json() = results(scene, ball, contact);
+    note(program, scene, ball);
     if (program.draws()) draw_plane_figures(program, scene.plane, ball, contact);
   });
 }

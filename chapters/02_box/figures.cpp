@@ -79,6 +79,20 @@ void draw_bounding_shapes(const Studio& studio) {
   figure.draw();
 }
 
+// The three parts of 2 r_eff, one upon the other.
+void draw_gauge(figure::Scene& scene, Point gauge, const Box& box, const Vector& n) {
+  const auto measure = [&](const std::string& axis, const Vector& edge, const Colour& of) {
+    const Point upper = gauge + std::abs(edge.dot(n)) * n;
+    scene.line({gauge, upper}, {of, 4.0}, 3);
+    scene.label("|{/:Bold " + axis + "}·{/:Bold N}|", 0.5 * (gauge + upper), 0.8, 0, of, Align::left);
+    gauge = upper;
+  };
+  measure("S", box.s, colour::green);
+  measure("R", box.r, colour::red);
+  measure("T", box.t, colour::pink);
+  scene.label("", gauge + Vector(0.75, 0, 0));  // room for what stands beside the gauge
+}
+
 // Figure 4: from the lowest vertex to the highest, along three edges, the box rises |R.N| + |S.N| + |T.N|; its centre
 // is half as high.
 void draw_effective_radius(const Studio& studio) {
@@ -100,18 +114,7 @@ void draw_effective_radius(const Studio& studio) {
   scene.label("{/:Bold R}", 0.62 * second + 0.38 * third, -1.1, 0.5, colour::red);
   scene.label("{/:Bold T}", third + 0.5 * box.t, -0.2, 0.9, colour::pink);
 
-  Point gauge = half_u + half_v;
-  const auto measure = [&](const std::string& axis, const Vector& edge, const Colour& of) {
-    const Point upper = gauge + std::abs(edge.dot(n)) * n;
-    scene.line({gauge, upper}, {of, 4.0}, 3);
-    scene.label("|{/:Bold " + axis + "}·{/:Bold N}|", 0.5 * (gauge + upper), 0.8, 0, of, Align::left);
-    gauge = upper;
-  };
-  measure("S", box.s, colour::green);
-  measure("R", box.r, colour::red);
-  measure("T", box.t, colour::pink);
-  scene.label("", gauge + Vector(0.75, 0, 0));  // room for what stands beside the gauge
-
+  draw_gauge(scene, half_u + half_v, box, n);
   scene.line({box.center, foot}, {colour::ink, 2.0}, 2);
   scene.dot(box.center);
   scene.dot(foot);
@@ -183,6 +186,21 @@ Drawable drawable(const Plane& plane, const Moving<Box>& moving, std::optional<C
   return {Moving{small, Vector(v / unit)}, Plane(plane.normal(), 0), contact};
 }
 
+// The letters of the sweep: centres, motion, normal, planes.
+void name_parts(figure::Scene& scene, const Point& q0, const Point& end, bool contact) {
+  scene.dot(q0);
+  scene.dot(end);
+  scene.label(contact ? "{/:Italic Q}({/:Italic t})" : "{/:Italic Q}_1", end, 1.9, 0.5);
+  scene.label("{/:Bold V}", 0.5 * (q0 + end), 1.3, 0.8, colour::red);
+}
+
+void name_planes(figure::Scene& scene, const Point& corner, const Point& foot, const Vector& offset) {
+  scene.arrow(foot, foot + offset, {colour::ink, 2.4});
+  scene.label("{/:Bold N}", foot + offset, 1.6, -0.4);
+  scene.label("{/:Italic E}", corner, 0.6, 0, colour::blue, Align::left);
+  scene.label("{/:Italic E}′", corner + offset, 0.6, 0, colour::grey, Align::left);
+}
+
 // Figure 5: the sweep of this run. The box meets E when its centre meets E', which is E moved out by r_eff.
 void draw_sweep(const Studio& studio, const Drawable& drawn) {
   const auto& [moving, plane, contact] = drawn;
@@ -211,16 +229,9 @@ void draw_sweep(const Studio& studio, const Drawable& drawn) {
     scene.dot(q1);
     scene.label("{/:Italic Q}_1", q1, 1.3, -0.2);
   }
-  const Point foot = middle - 0.85 * half_u - 0.75 * half_v;
-  scene.arrow(foot, foot + radius * n, {colour::ink, 2.4});
-  scene.dot(q0);
-  scene.dot(end);
+  name_planes(scene, middle + half_u + half_v, middle - 0.85 * half_u - 0.75 * half_v, radius * n);
+  name_parts(scene, q0, end, contact.has_value());
   scene.label("{/:Italic Q}_0", q0 + radius * n, 0, 0.9);
-  scene.label(contact ? "{/:Italic Q}({/:Italic t})" : "{/:Italic Q}_1", end, 1.9, 0.5);
-  scene.label("{/:Bold V}", 0.5 * (q0 + end), 1.3, 0.8, colour::red);
-  scene.label("{/:Bold N}", foot + radius * n, 1.6, -0.4);
-  scene.label("{/:Italic E}", middle + half_u + half_v, 0.6, 0, colour::blue, Align::left);
-  scene.label("{/:Italic E}′", middle + half_u + half_v + radius * n, 0.6, 0, colour::grey, Align::left);
   if (contact) {
     mark_contact(scene, contact->points);
     for (Eigen::Index i = 0; i < contact->points.cols(); ++i)

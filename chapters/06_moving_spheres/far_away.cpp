@@ -24,8 +24,8 @@ Vector unit_vector(std::mt19937& random) {
 }
 
 //! [far_away]
-// One shot from `distance` away: how far off the contact is, infinite if the formula does not find it; nothing if the
-// spheres, rounded to this precision, truly miss each other.
+// One shot from `distance` away: how far off the contact is, infinite if the formula does not find it;
+// nothing if the spheres, rounded to this precision, truly miss each other.
 template <class Scalar>
 std::optional<double> error_of_one(Formula formula, double distance, std::mt19937& random) {
   constexpr Scalar d = 2;

@@ -13,7 +13,8 @@ struct FarAway {
   double lost;      ///< the share of the hits that were not found
 };
 
-/// Spheres are shot at each other from 1, 10^(1/2), 10 ... times d, up to 10^10 or as far as the precision can tell them
-/// apart, aimed up to 0.9 d beside each other's centre: all should hit. The truth for each is computed on the same numbers in extended precision.
+/// Spheres are shot at each other from 1, 10^(1/2), 10 ... times d, up to 10^10 or as far as the precision
+/// can tell them apart, aimed up to 0.9 d beside each other's centre: all should hit. The truth for each is
+/// computed on the same numbers in extended precision.
 template <class Scalar>
 std::vector<FarAway> measure(Formula formula);

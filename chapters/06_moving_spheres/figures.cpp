@@ -85,8 +85,8 @@ std::vector<Point> circle(double radius) {
   return points;
 }
 
-// The sweep of this run as seen from Q: P has become a point, Q has grown to the radius d, and the square root is half
-// the chord. Drawn in the plane of w and u: x along u, z along the closest approach.
+// The sweep of this run as seen from Q: P has become a point, Q has grown to the radius d, and the square
+// root is half the chord. Drawn in the plane of w and u: x along u, z along the closest approach.
 void draw_closest_approach(const Studio& studio, const Moving<Sphere>& p, const Moving<Sphere>& q) {
   const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
   const double d = p.shape.radius + q.shape.radius, speed = u.norm();
@@ -134,26 +134,8 @@ void add_curve(Figure& figure, const char* name, const std::vector<FarAway>& res
   figure.data(name, rows, 4);
 }
 
-// Errors and losses against the distance: both formulas, in single and in double precision.
-void draw_far_away(const program::Program& program) {
-  Figure figure(program.studio(), "far-away", {720, 700});
-  add_curve(figure, "printed_single", measure<float>(Formula::textbook));
-  add_curve(figure, "printed_double", measure<double>(Formula::textbook));
-  add_curve(figure, "stable_single", measure<float>(Formula::closest_approach));
-  add_curve(figure, "stable_double", measure<double>(Formula::closest_approach));
-  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
-  figure.script() << "printed_s = \"" << say("printed, single", "論文所印，單精度") << "\"\n"
-                  << "printed_d = \"" << say("printed, double", "論文所印，雙精度") << "\"\n"
-                  << "stable_s = \"" << say("stable, single", "穩定形式，單精度") << "\"\n"
-                  << "stable_d = \"" << say("stable, double", "穩定形式，雙精度") << "\"\n"
-                  << "error = \""
-                  << say("error of the contact, in {/:Italic d}", "碰撞位置的誤差（以 {/:Italic d} 計）")
-                  << "\"\n"
-                  << "lost = \"" << say("hits lost, %", "漏失的碰撞（%）") << "\"\n"
-                  << "distance = \""
-                  << say("distance at the start, in {/:Italic d}", "出發時的距離（以 {/:Italic d} 計）")
-                  << "\"\n"
-                  << R"(unset key
+// Two charts, one above the other: errors, and hits that are lost.
+constexpr const char* far_away_script = R"(unset key
 set grid
 set xrange [0:10]
 set xtics 0, 2 font ",14"
@@ -192,6 +174,27 @@ plot $printed_single using 1:3 with lines lc rgb PINK lw 2.2 dt (8,5), \
  $stable_double using 1:3 with lines lc rgb GREEN lw 2.2
 unset multiplot
 )";
+
+// Errors and losses against the distance: both formulas, in single and in double precision.
+void draw_far_away(const program::Program& program) {
+  Figure figure(program.studio(), "far-away", {720, 700});
+  add_curve(figure, "printed_single", measure<float>(Formula::textbook));
+  add_curve(figure, "printed_double", measure<double>(Formula::textbook));
+  add_curve(figure, "stable_single", measure<float>(Formula::closest_approach));
+  add_curve(figure, "stable_double", measure<double>(Formula::closest_approach));
+  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
+  figure.script() << "printed_s = \"" << say("printed, single", "論文所印，單精度") << "\"\n"
+                  << "printed_d = \"" << say("printed, double", "論文所印，雙精度") << "\"\n"
+                  << "stable_s = \"" << say("stable, single", "穩定形式，單精度") << "\"\n"
+                  << "stable_d = \"" << say("stable, double", "穩定形式，雙精度") << "\"\n"
+                  << "error = \""
+                  << say("error of the contact, in {/:Italic d}", "碰撞位置的誤差（以 {/:Italic d} 計）")
+                  << "\"\n"
+                  << "lost = \"" << say("hits lost, %", "漏失的碰撞（%）") << "\"\n"
+                  << "distance = \""
+                  << say("distance at the start, in {/:Italic d}", "出發時的距離（以 {/:Italic d} 計）")
+                  << "\"\n"
+                  << far_away_script;
   figure.draw();
 }
 

@@ -37,7 +37,8 @@ void tell_contact(Report& report, const Meeting& meeting, const Interval& when) 
   if (!meeting.contact) {
     report.say({"No contact within " + within + ".", within + " 之間沒有發生碰撞"});
     if (meeting.separation)
-      report.also({"They overlap at its first time, but come no nearer: free to part.", "起初已重疊，但不再靠近：任其分離"});
+      report.also({"They overlap at the beginning, but come no nearer: free to part.",
+                   "起初已重疊，但不再靠近：任其分離"});
     return;
   }
   const Contact& contact = *meeting.contact;

@@ -8,7 +8,7 @@
 #include "first_contact/sweep/sphere_sphere.hpp"
 
 //! [encounter]
-/// Two discs of one size, each moving straight on until they meet. The defaults are the first case of program 4.
+/// Two discs of one size, each moving straight on until they meet. The defaults are program 4's first case.
 struct Encounter {
   Eigen::Vector2d mass{5, 1};
   Eigen::Vector2d p1{0, 0}, p2{1, 0};

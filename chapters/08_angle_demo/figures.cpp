@@ -58,7 +58,7 @@ void add_velocity(figure::Scene& scene, const Vector2d& center, double rim, cons
               flat(tip + (level ? name.room * Vector2d(way.x() > 0 ? 1 : -1, 0) : 0.3 * name.room * way)));
 }
 
-// One of the four cases by itself: velocities before and after. The distance between the bodies is not to scale.
+// One of the four cases by itself: velocities before and after. The distance is not to scale.
 void add_case(figure::Scene& scene, const Vector2d& origin, const Vector2d& between, double scale,
               const Encounter& encounter) {
   constexpr double size = 0.34;

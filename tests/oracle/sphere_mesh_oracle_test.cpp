@@ -19,7 +19,7 @@ class Random {
   std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
   Vector direction() {
     std::normal_distribution<> normal;
-    return Vector(normal(engine_), normal(engine_), normal(engine_)).normalized();
+    return Vector{normal(engine_), normal(engine_), normal(engine_)}.normalized();
   }
   std::mt19937_64& engine() { return engine_; }
 
@@ -131,7 +131,7 @@ TEST_CASE(
 
 namespace {
 
-/// The distance from a mesh at one time, in plain double and by sampling's own means: the smallest over all triangles.
+/// The distance from a mesh at one time: the smallest over all triangles.
 double distance_at(const Mesh& mesh, const Moving<Sphere>& moving, double t) {
   const Point p = moving.shape.center + t * moving.displacement;
   double least = std::numeric_limits<double>::infinity();
@@ -150,8 +150,8 @@ TEST_CASE("Dense sampling and bisection find the same first time as a sweep of a
   for (int i = 0; i < 25; ++i) {
     const Mesh mesh = random_mesh(random);
     const Moving<Sphere> moving = aimed_cast(random, mesh);
-    const double radius = moving.shape.radius;
-    if (distance_at(mesh, moving, 0) <= radius * (1 + 1e-9)) continue;
+    if (distance_at(mesh, moving, 0) <= moving.shape.radius * (1 + 1e-9)) continue;
+    const double radius = moving.shape.radius - 1e-12;  // what is no deeper may be rounding
     INFO("cast " << i << ": " << text(mesh, moving));
     const auto contact = sweep(moving, mesh);
     constexpr int samples = 100;
@@ -165,7 +165,7 @@ TEST_CASE("Dense sampling and bisection find the same first time as a sweep of a
       REQUIRE(contact);  // what is found between samples may only come earlier
       CHECK(contact->time <= to + 1e-9);
       if (contact->time < from - 1e-9)
-        CHECK(distance_at(mesh, moving, contact->time) == Approx(radius).epsilon(1e-9));
+        CHECK(distance_at(mesh, moving, contact->time) == Approx(radius).margin(1e-9));
       break;
     }
   }

@@ -45,7 +45,7 @@ class Caster {
   int pick(int n) { return std::uniform_int_distribution<>(0, n - 1)(random_); }
   Vector direction() {
     std::normal_distribution<> normal;
-    return Vector(normal(random_), normal(random_), normal(random_)).normalized();
+    return Vector{normal(random_), normal(random_), normal(random_)}.normalized();
   }
 
   /// Well shaped, a needle, a cap, a segment, or a point.

@@ -27,7 +27,7 @@ class Random {
   std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
   Vector direction() {
     std::normal_distribution<> normal;
-    return Vector(normal(engine_), normal(engine_), normal(engine_)).normalized();
+    return Vector{normal(engine_), normal(engine_), normal(engine_)}.normalized();
   }
   /// Where a sphere would touch the mesh at a face, an edge or a vertex, and a path that leads there.
   Moving<Sphere> cast_at(const Mesh& mesh) {
@@ -190,7 +190,7 @@ TEST_CASE("A tilted floor of many tiles is all face, wherever a sphere comes dow
     const Environment environment(floor);
     const double radius = std::pow(10, random.uniform(-2, 2));
     for (const Point& p : {Point(2, 2, 0), Point(1.5, 1.5, 0), Point(2, 1.3, 0), Point(3, 1, 0)}) {
-      const Vector path = Vector(random.uniform(-2, 2), random.uniform(-2, 2), -2);
+      const Vector path{random.uniform(-2, 2), random.uniform(-2, 2), -2};
       const Point start = p + Vector(0, 0, radius) - 0.5 * path;
       const auto contact = sweep(Moving<Sphere>{{turn * start, radius}, turn * path}, environment);
       REQUIRE(contact);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "catch.hpp"
 
@@ -52,7 +53,8 @@ TEST_CASE("Either way round, an outline is the same shape") {
 
 TEST_CASE("Where an outline crosses itself, the even-odd rule leaves a hole") {
   std::vector<Point2> star;
-  for (int i = 0; i < 5; ++i) star.emplace_back(std::sin(i * 4 * M_PI / 5), std::cos(i * 4 * M_PI / 5));
+  for (int i = 0; i < 5; ++i)
+    star.emplace_back(std::sin(i * 4 * std::numbers::pi / 5), std::cos(i * 4 * std::numbers::pi / 5));
   const StageObject object(star);
   CHECK_FALSE(hit_test_point(object, {0, 0}, true));
   CHECK(hit_test_point(object, {0, 0.7}, true));
@@ -65,7 +67,7 @@ TEST_CASE("Points are those of the stage: in the object's own coordinates they m
 }
 
 TEST_CASE("An object that is turned has the bounding box of what stands on the stage") {
-  const StageObject object(square, Eigen::Affine2d(Eigen::Rotation2Dd(M_PI / 4)));
+  const StageObject object(square, Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 4)));
   CHECK(object.bounding_box().max().x() == Approx(std::sqrt(2.0)));
   CHECK(hit_test_point(object, {1.2, 1.2}));
   CHECK_FALSE(hit_test_point(object, {1.2, 1.2}, true));

@@ -109,6 +109,7 @@ TEST_CASE("A printed bounce refuses values that make no sense, and names them") 
   CHECK_THROWS_AS(run({50, 25, -9.82, 0.01, 10, 0.5}), std::invalid_argument);
   CHECK_THROWS_AS(run({50, 25, 9.82, 0, 10, 0.5}), std::invalid_argument);
   CHECK_THROWS_AS(run({50, 25, 9.82, 0.01, 0, 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(run({-1e308, 25, 9.82, 10, 10, 0.5}), std::invalid_argument);
   CHECK_THROWS_WITH(run({50, 25, 9.82, 0.01, 10, 1.5}),
                     "bounce's restitution 1.5: must be finite and from 0 to 1");
 }

@@ -22,8 +22,8 @@ struct Studio {
 
 /// The size of a picture in points (1/96 inch).
 struct Size {
-  int width = 720;
-  int height = 500;
+  int width = 720;   ///< from left to right
+  int height = 500;  ///< from top to bottom
 };
 
 /// Rows of numbers; an empty row is a blank line, which parts two curves.

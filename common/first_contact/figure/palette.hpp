@@ -12,12 +12,15 @@ namespace first_contact::figure {
 
 /// One colour as a gnuplot variable, with its value for a light page and for a dark one, as 0xRRGGBB.
 struct Colour {
-  std::string_view name;
-  std::uint32_t light;
-  std::uint32_t dark;
+  std::string_view name;  ///< in scripts
+  std::uint32_t light;    ///< on a light page
+  std::uint32_t dark;     ///< on a dark page
 };
 
+/// The palette.
 namespace colour {
+/// One colour of the palette.
+///@{
 inline constexpr Colour paper{"PAPER", 0xFFFFFF, 0x15191C};
 inline constexpr Colour ink{"INK", 0x222222, 0xDDE3E3};
 inline constexpr Colour grey{"GREY", 0x8A8A8A, 0x9AA4A4};
@@ -33,6 +36,8 @@ inline constexpr Colour yellow{"YELLOW", 0xF0E442, 0xE5DA4A};
 inline constexpr Colour floor{"FLOOR", 0xCFE3F1, 0x22394A};
 inline constexpr Colour shadow{"SHADOW", 0xB3CADB, 0x16262F};
 inline constexpr Colour mist{"MIST", 0xEEF3F6, 0x1D2429};
+///@}
+/// All of them.
 inline constexpr std::array all{paper,  ink,   grey, pale,   blue,  sky,    green, red,
                                 orange, amber, pink, yellow, floor, shadow, mist};
 }  // namespace colour

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -12,9 +13,11 @@ namespace first_contact::figure {
 
 namespace {
 
+constexpr std::size_t many_triangles = 200;
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
-constexpr std::uint32_t light_colour = 0xFFFFFE;  // white on a dark page too: the paper's own white becomes dark there
+constexpr std::uint32_t light_colour =
+    0xFFFFFE;  // white on a dark page too: the paper's own white becomes dark there
 
 // A colour under a light that falls at an angle whose cosine is given: ambient, diffuse and a soft highlight.
 std::uint32_t lit(std::uint32_t rgb, double cosine) {
@@ -133,7 +136,7 @@ void Scene::cap(const Sphere& ball, const Vector& pole, double angle, const std:
   add(rim, style, layer, ball.center.dot(eye_));
 }
 
-void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int layer) {
+void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int layer, double step) {
   const std::vector<Point> outline = ring(ball.center, eye_, ball.radius);
   const double depth = ball.center.dot(eye_);
   if (opacity < 1) {  // glass: one even fill, a few faint lights upon it, and a rim
@@ -145,7 +148,6 @@ void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int
     add(closed, "lines " + stroke({colour, 1.2}), layer, depth);
     return;
   }
-  constexpr double step = 2.5;  // degrees between two shades: too little to see
   add(outline, area(shade(lit(colour.light, 0), 1), false), layer, depth);
   for (double angle = 90; angle > 0; angle -= step) {
     const double cosine = std::cos((angle - step / 2) * degree);
@@ -179,10 +181,40 @@ void Scene::box(const Box& box, const Fill& fill, int layer) {
 }
 
 void Scene::mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer) {
+  if (mesh.size() > many_triangles && fill.shaded && !fill.outline)
+    return fine_mesh(mesh, fill, closed, layer);
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     const Triangle triangle = mesh.triangle(i);
     if (closed && triangle.area_vector().dot(eye_) <= 0) continue;
     polygon({triangle.a, triangle.b, triangle.c}, fill, layer);
+  }
+}
+
+// Of many small triangles, those in a thin slab of depth hardly ever hide each other, and a few shades do: sorted by
+// slab and shade, most neighbours are drawn alike and share a clause, so that the picture stays small.
+void Scene::fine_mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer) {
+  constexpr double shades = 16, slabs = 12;
+  Eigen::AlignedBox<double, 1> depths;
+  for (const Point& vertex : mesh.vertices()) depths.extend(Eigen::Matrix<double, 1, 1>(vertex.dot(eye_)));
+  const double thickness = std::max(depths.sizes()[0] / slabs, std::numeric_limits<double>::min());
+
+  std::map<std::pair<double, double>, std::vector<std::size_t>> alike;  // by depth of the slab and shade
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const Triangle triangle = mesh.triangle(i);
+    const Vector area = triangle.area_vector();
+    if (area.isZero(0) || (closed && area.dot(eye_) <= 0)) continue;
+    const double cosine = (area.dot(eye_) < 0 ? -1 : 1) * area.dot(light_) / area.norm();
+    const double depth = (triangle.a + triangle.b + triangle.c).dot(eye_) / 3;
+    alike[{thickness * std::round(depth / thickness), std::round(shades * std::max(0.0, cosine)) / shades}]
+        .push_back(i);
+  }
+  for (const auto& [key, triangles] : alike) {
+    const std::string style =
+        area(shade(lit(fill.colour.light, key.second), fill.opacity), fill.opacity >= 1);
+    for (const std::size_t i : triangles) {
+      const Triangle triangle = mesh.triangle(i);
+      add({triangle.a, triangle.b, triangle.c}, style, layer, key.first);
+    }
   }
 }
 

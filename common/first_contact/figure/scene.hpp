@@ -14,8 +14,8 @@ namespace first_contact::figure {
 /// Where the eye of a parallel projection is, in degrees: `tilt` from straight above (0) to level (90),
 /// `turn` about the vertical.
 struct View {
-  double tilt = 70;
-  double turn = 24;
+  double tilt = 70;  ///< from straight above (0) to level (90), in degrees
+  double turn = 24;  ///< about the vertical, in degrees
 
   Vector eye() const;    ///< unit, from the scene to the eye
   Vector right() const;  ///< unit, to the right of the picture
@@ -24,17 +24,17 @@ struct View {
 
 /// How a line is drawn; the width in points.
 struct Pen {
-  Colour colour = colour::ink;
-  double width = 1.4;
-  bool dashed = false;
+  Colour colour = colour::ink;  ///< of the palette
+  double width = 1.4;           ///< in points
+  bool dashed = false;          ///< for what is hidden or moved out
 };
 
 /// How an area is filled. Shaded: lit by the scene's light, for the faces of a solid; else flat.
 struct Fill {
-  Colour colour = colour::floor;
-  double opacity = 1;
-  bool shaded = false;
-  std::optional<Pen> outline = std::nullopt;
+  Colour colour = colour::floor;              ///< of the palette
+  double opacity = 1;                         ///< from 0, clear as air, to 1
+  bool shaded = false;                        ///< lit by the scene's light
+  std::optional<Pen> outline = std::nullopt;  ///< none if it is empty
 };
 
 enum class Align { left, centre, right };
@@ -46,6 +46,7 @@ enum class Align { left, centre, right };
 /// Things are sorted by layer first (higher ones are painted later), then by the depth of their middle.
 class Scene {
  public:
+  /// \param view  where the eye is
   /// \param margin  around the things, as a part of their extent; it must hold the labels at the rim
   /// \param light  from the scene to the light
   explicit Scene(View view = {}, double margin = 0.06, const Vector& light = {-0.35, -0.75, 0.9});
@@ -56,9 +57,14 @@ class Scene {
   void patch(const Point& center, const Vector& u, const Vector& v, const Fill& fill, int layer = 0);
   /// A round disc at right angles to `normal`: a contact shadow, the mouth of a cylinder.
   void disc(const Point& center, const Vector& normal, double radius, const Fill& fill, int layer = 0);
+  /// Straight lines from point to point.
   void line(const std::vector<Point>& points, const Pen& pen, int layer = 1);
+  /// An arrow, its head at `to`.
   void arrow(const Point& from, const Point& to, const Pen& pen = {colour::red, 2.4}, int layer = 2);
-  void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0);
+  /// A ball, shaded; below opacity 1 it is of glass.
+  /// A ball, opaque or of glass. \param step  degrees between two shades; small balls need no fine ones
+  void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0,
+              double step = 2.5);
   /// The faces of a box that the eye sees, its edges, and its hidden edges dashed in grey.
   void box(const Box& box, const Fill& fill, int layer = 0);
   /// The triangles of a mesh; of a closed one only those that face the eye.
@@ -92,6 +98,7 @@ class Scene {
   Eigen::Vector2d project(const Point& p) const { return {p.dot(right_), p.dot(up_)}; }
   void add(const std::vector<Point>& points, std::string style, int layer, std::optional<double> depth = {});
   void cap(const Sphere& ball, const Vector& pole, double angle, const std::string& style, int layer);
+  void fine_mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer);
   std::string fill_style(const Fill& fill, const Vector& normal) const;
   Eigen::AlignedBox2d extent() const;
   void write_frame(std::ostream& out) const;

@@ -16,24 +16,33 @@ struct Bounds {
   /// \throws std::invalid_argument if a corner is not finite, or the low one is above the high one.
   Bounds(const Point& lowest, const Point& highest);
 
+  /// Is it of nothing?
   bool empty() const { return !(low.x() <= high.x()); }
+  /// The middle.
   Point center() const { return 0.5 * low + 0.5 * high; }  // each half by itself: the sum may be too large
+  /// From the low corner to the high one.
   Vector size() const { return high - low; }
   /// The largest coordinate of a corner, without its sign; 0 if it is empty.
   double largest_coordinate() const;
 
+  /// Grows until it contains the point.
   void include(const Point& point);
+  /// Grows until it contains the other.
   void include(const Bounds& other);
   /// Moved out by `distance` on all six sides.
   Bounds grown(double distance) const;
 
+  /// The corner with the smallest coordinates.
   Point low = Point::Constant(std::numeric_limits<double>::infinity());
+  /// The corner with the largest coordinates.
   Point high = Point::Constant(-std::numeric_limits<double>::infinity());
 };
 
 /// The bounds of a thing contain all of it: where a coordinate has to be rounded, it is rounded outwards.
 Bounds bounds_of(std::span<const Point> points);
+/// Of a triangle.
 Bounds bounds_of(const Triangle& triangle);
+/// Of a sphere at rest.
 Bounds bounds_of(const Sphere& sphere);
 /// Of all that a moving sphere passes: around S0 and S0 + V.
 Bounds bounds_of(const Sphere& sphere, const Vector& displacement);
@@ -49,9 +58,12 @@ bool overlap(const Triangle& triangle, const Bounds& box);
 
 /// A part of a motion: the times from `enter` to `leave`.
 struct Passage {
+  /// When it begins.
   double enter = 0;
+  /// When it ends.
   double leave = 1;
 
+  /// Does it end before it begins?
   bool empty() const { return !(enter <= leave); }
 };
 

@@ -22,8 +22,11 @@ struct Box {
   /// is what axes typed with seven digits have. \see tests/unit/box_test.cpp
   static constexpr double perpendicular_tolerance = 5e-7;
 
-  Point center;
+  Point center;  ///< Q
+  ///@{
+  /// An axis, as long as the box is.
   Vector r, s, t;
+  ///@}
 };
 
 }  // namespace first_contact

@@ -10,6 +10,7 @@ Point closest_point(const Point& point, const Point& a, const Point& b);
 /// The point of a triangle that is nearest to `point`: the foot of the perpendicular, if it is inside, or
 /// else the nearest point of the three sides. The triangle may be degenerate.
 Point closest_point(const Point& point, const Point& a, const Point& b, const Point& c);
+/// The point of a triangle that is nearest to `point`.
 inline Point closest_point(const Point& point, const Triangle& triangle) {
   return closest_point(point, triangle.a, triangle.b, triangle.c);
 }

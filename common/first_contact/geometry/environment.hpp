@@ -11,13 +11,17 @@ namespace first_contact {
 /// the planes of its faces and the topology of its edges. Both sides of its faces are solid.
 class Environment {
  public:
+  /// Finds the planes and the edges of the mesh.
   explicit Environment(Mesh surface) : mesh_(std::move(surface)), edges_(mesh_) {
     facets_.reserve(mesh_.size());
     for (std::size_t i = 0; i < mesh_.size(); ++i) facets_.emplace_back(mesh_.triangle(i));
   }
 
+  /// The surface.
   const Mesh& mesh() const { return mesh_; }
+  /// Its edges, and the faces that share them.
   const MeshEdges& topology() const { return edges_; }
+  /// The face with that number.
   const Facet& facet(std::size_t face) const { return facets_[face]; }
 
  private:

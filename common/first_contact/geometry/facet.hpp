@@ -6,6 +6,7 @@ namespace first_contact {
 /// The normal (b - a) x (c - a) of three points, computed at the corner with the largest angle, from the two shorter
 /// sides: however long and thin the triangle is, no other corner rounds less.
 struct CornerNormal {
+  /// Of the points a, b, c; they may lie on one line.
   CornerNormal(const Point& a, const Point& b, const Point& c);
 
   Point corner;    ///< opposite the longest side
@@ -15,6 +16,7 @@ struct CornerNormal {
 
 /// A triangle together with what a sweep asks of its plane.
 struct Facet : CornerNormal {
+  /// Of any triangle, degenerate or not.
   explicit Facet(const Triangle& t);
 
   /// Is the triangle too thin for its face to matter to a sphere of this radius? Then its edges answer for it.
@@ -22,6 +24,7 @@ struct Facet : CornerNormal {
   /// The normal, of unit length; zero if the triangle is degenerate.
   Vector unit_normal() const { return length > 0 ? Vector(normal / length) : Vector(Vector::Zero()); }
 
+  /// The triangle itself.
   Triangle triangle;
   double length;          ///< |normal|
   double largest_radius;  ///< up to here the face answers for itself; 0 if the triangle is degenerate

@@ -17,7 +17,9 @@ class Mesh {
   /// \throws std::invalid_argument if a vertex is not finite, or a face names a vertex that does not exist.
   Mesh(std::vector<Point> vertices, std::vector<Face> faces);
 
+  /// All vertices.
   const std::vector<Point>& vertices() const { return vertices_; }
+  /// All faces.
   const std::vector<Face>& faces() const { return faces_; }
   /// The number of triangles.
   std::size_t size() const { return faces_.size(); }

@@ -27,14 +27,21 @@ class MeshEdges {
  public:
   /// One face at an edge: the side of that face from its corner `slot` to the next.
   struct Side {
+    /// The number of the face.
     std::uint32_t face;
+    /// 0, 1 or 2: the corner at which the side begins.
     std::uint32_t slot;
   };
   /// An edge of length greater than 0; from the vertex that is first in the order of x, then y, then z.
   struct Edge {
+    /// The numbers of its two ends.
     std::array<std::uint32_t, 2> vertices;
+    /// How the surface bends there.
     EdgeKind kind;
+    ///@{
+    /// Where its sides are kept, and how many.
     std::uint32_t first_side, side_count;
+    ///@}
   };
 
   /// The normals of two faces in one plane differ by no more than their own rounding, which is at most this
@@ -46,6 +53,7 @@ class MeshEdges {
   /// Finds all edges, in O(n log n).
   explicit MeshEdges(const Mesh& mesh);
 
+  /// All of them.
   const std::vector<Edge>& edges() const { return edges_; }
   /// The faces at an edge, lowest number first.
   std::span<const Side> sides(const Edge& edge) const { return {&sides_[edge.first_side], edge.side_count}; }

@@ -13,7 +13,9 @@ namespace first_contact {
 
 /// A mesh file in memory: its name, for messages, and all its bytes.
 struct MeshBytes {
+  /// The file's name.
   std::string name;
+  /// All that is in it.
   std::string bytes;
 
   /// \throws MeshFileError "name, line 7: rule".
@@ -22,9 +24,13 @@ struct MeshBytes {
   [[noreturn]] void refuse_byte(std::size_t byte, const std::string& rule) const;
 };
 
+/// Wavefront OBJ. \throws MeshFileError
 Mesh read_obj(const MeshBytes& file);
+/// OFF. \throws MeshFileError
 Mesh read_off(const MeshBytes& file);
+/// PLY, in ASCII or binary. \throws MeshFileError
 Mesh read_ply(const MeshBytes& file);
+/// STL, in ASCII or binary. \throws MeshFileError
 Mesh read_stl(const MeshBytes& file);
 
 /// The words of a text, line by line.
@@ -38,6 +44,7 @@ class TextLines {
   /// Goes on to the next line that has a word, or refuses the file with `missing`.
   void require_next(const std::string& missing);
 
+  /// The words of this line.
   const std::vector<std::string_view>& words() const { return words_; }
   /// The number of the line, from 1.
   std::size_t line() const { return line_; }
@@ -50,6 +57,7 @@ class TextLines {
   std::int64_t whole(std::string_view word) const;
   /// Words i, i + 1, i + 2 as a point.
   Point point(std::size_t i) const;
+  /// Refuses this line. \throws MeshFileError
   [[noreturn]] void refuse(const std::string& rule) const { file_.refuse_line(line_, rule); }
 
  private:

@@ -5,6 +5,7 @@
 
 namespace first_contact {
 
+//! [plane]
 Plane::Plane(const Vector& normal, double offset) {
   const double length = normal.stableNorm();
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset / length)) {
@@ -15,13 +16,18 @@ Plane::Plane(const Vector& normal, double offset) {
   }
   coefficients_ << normal / length, offset / length;
 }
+//! [plane]
 
+//! [plane_through]
 Plane Plane::through(const Point& point, const Vector& normal) { return {normal, -normal.dot(point)}; }
+//! [plane_through]
 
+//! [plane_moved_out]
 Plane Plane::moved_out(double distance) const {
   Plane moved = *this;
   moved.coefficients_.w() -= distance;
   return moved;
 }
+//! [plane_moved_out]
 
 }  // namespace first_contact

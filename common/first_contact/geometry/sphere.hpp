@@ -11,8 +11,8 @@ struct Sphere {
     require_length(radius, "sphere's radius");
   }
 
-  Point center;
-  double radius;
+  Point center;   ///< S
+  double radius;  ///< r, not negative
 };
 
 }  // namespace first_contact

@@ -29,8 +29,11 @@ class Transform {
   /// std::invalid_argument that names the value and the rule
   static Transform perspective(double view_angle, double aspect, double near_z, double far_z);
 
+  /// The 4x4 matrix M.
   const Matrix& matrix() const { return matrix_; }
+  /// Does it leave w alone?
   bool is_affine() const { return matrix_.row(3) == Eigen::RowVector4d(0, 0, 0, 1); }
+  /// The way back.
   Transform inverse() const { return {inverse_, matrix_}; }
   /// First `first`, then this one.
   Transform after(const Transform& first) const;
@@ -73,23 +76,32 @@ class Rigid {
   /// \throws std::invalid_argument if the quaternion is zero, or a coordinate is not finite.
   Rigid(const Eigen::Quaterniond& turn, const Vector& shift);
 
+  /// A shift alone.
   static Rigid moved_by(const Vector& shift) { return {Eigen::Quaterniond::Identity(), shift}; }
   /// Turned about an axis through the origin, by an angle in radians, anticlockwise as seen from the axis'
   /// tip. \throws std::invalid_argument if the axis is zero, or a value is not finite.
   static Rigid turned(const Vector& axis, double angle);
 
+  /// How it turns.
   const Eigen::Matrix3d& rotation() const { return rotation_; }
+  /// By how much it moves, after it has turned.
   const Vector& translation() const { return translation_; }
+  /// The way back.
   Rigid inverse() const { return {rotation_.transpose(), rotation_.transpose() * -translation_}; }
   /// First `first`, then this one.
   Rigid after(const Rigid& first) const { return {rotation_ * first.rotation_, point(first.translation_)}; }
   /// The same motion as a 4x4 matrix.
   Transform transform() const { return Transform::affine(rotation_, translation_); }
 
+  /// A point, turned and moved.
   Point point(const Point& q) const { return rotation_ * q + translation_; }
+  /// A direction, turned.
   Vector direction(const Vector& v) const { return rotation_ * v; }
+  /// The plane of the moved points.
   Plane plane(const Plane& e) const;
+  /// A sphere, its centre moved.
   Sphere sphere(const Sphere& s) const { return {point(s.center), s.radius}; }
+  /// A box, moved and turned.
   Box box(const Box& b) const { return {point(b.center), direction(b.r), direction(b.s), direction(b.t)}; }
 
  private:

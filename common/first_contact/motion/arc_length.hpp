@@ -24,8 +24,10 @@ class ArcLength {
   double parameter(double length) const;
   /// The point at that part of the whole length. Below 0 and above 1 it goes straight on along the end's tangent.
   Point at(double part) const;
+  /// The curve.
   const Curve& curve() const { return curve_; }
 
+  /// Of a length, at the most.
   static constexpr double relative_error = 1e-12;
 
  private:

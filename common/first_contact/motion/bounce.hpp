@@ -7,13 +7,16 @@ namespace first_contact {
 
 /// The ball meets the floor, at height 0.
 struct Landing {
+  /// Since the start.
   double time;
   double speed;  ///< downwards, just before
 };
 
 /// The top of an arc.
 struct Apex {
+  /// Since the start.
   double time;
+  /// Above the floor.
   double height;
 };
 
@@ -24,7 +27,7 @@ struct Apex {
 /// (paper, 1.2). Speeds are positive downwards, as in the paper's programs 1 to 3: v0 = 50 is thrown down, v0 = -50 up.
 /// Without gravity (g = 0) it flies straight: it meets the floor once if thrown down, and then leaves for ever.
 ///
-/// Error of times and speeds: a few eps, relative.
+/// Error of times and speeds: at most 8 eps, relative.
 class Bounce {
  public:
   /// \param height       at time 0, not negative

@@ -23,7 +23,9 @@ class Bezier {
   Point at(double u) const;
   /// dC/du: the curve of degree one less whose control points are the differences n (P[i+1] - P[i]).
   Bezier derivative() const;
+  /// What leads it.
   const std::vector<Point>& control_points() const { return control_; }
+  /// Of its polynomials.
   std::size_t degree() const { return control_.size() - 1; }
 
  private:
@@ -48,8 +50,11 @@ class BSpline {
   Point at(double u) const;
   /// dC/du. At a knot where the direction jumps, it is that of the piece which begins there.
   BSpline derivative() const;
+  /// What leads it.
   const std::vector<Point>& control_points() const { return control_; }
+  /// The knots, ascending.
   const std::vector<double>& knots() const { return knots_; }
+  /// Of its polynomials.
   std::size_t degree() const { return degree_; }
   /// The values of u at which the pieces join, with 0 and 1, ascending.
   std::vector<double> breaks() const;
@@ -74,7 +79,9 @@ inline Bezier line(const Point& a, const Point& b) { return Bezier({a, b}); }
 
 /// The same for whichever curve it is.
 Point at(const Curve& curve, double u);
+/// dC/du.
 Curve derivative(const Curve& curve);
+/// What leads it.
 const std::vector<Point>& control_points(const Curve& curve);
 /// The values of u between which the curve is one polynomial, with 0 and 1, ascending.
 std::vector<double> breaks(const Curve& curve);

@@ -20,6 +20,7 @@ namespace ease {
 /// Constant speed.
 double linear(double t);
 
+///@{
 /// Slow at first. Penner's families ("Programming Macromedia Flash MX", ch. 7).
 double in_quadratic(double t);
 double in_cubic(double t);
@@ -31,7 +32,9 @@ double in_circular(double t);
 double in_back(double t);     ///< first 10 % the wrong way
 double in_elastic(double t);  ///< a spring that swings up
 double in_bounce(double t);   ///< a ball dropped on a floor with restitution 1/2, backwards
+///@}
 
+///@{
 /// Slow at the end: the mirror image, out(t) = 1 - in(1 - t).
 double out_quadratic(double t);
 double out_cubic(double t);
@@ -43,7 +46,9 @@ double out_circular(double t);
 double out_back(double t);
 double out_elastic(double t);
 double out_bounce(double t);  ///< a ball dropped on a floor with restitution 1/2, held at its fourth impact
+///@}
 
+///@{
 /// Slow at both ends: `in`, half as large, and then its mirror image.
 double in_out_quadratic(double t);
 double in_out_cubic(double t);
@@ -55,12 +60,13 @@ double in_out_circular(double t);
 double in_out_back(double t);
 double in_out_elastic(double t);
 double in_out_bounce(double t);
+///@}
 
 /// An easing with its name, and with the `in` of its family.
 struct Named {
-  std::string_view name;
-  Easing easing;
-  Easing in;
+  std::string_view name;  ///< such as in_out_cubic
+  Easing easing;          ///< the function
+  Easing in;              ///< the `in` of its family
 };
 
 /// All of them: linear, then for each family in, out, in-out.
@@ -75,6 +81,7 @@ std::span<const Named> all();
 /// \param rate  per unit of time; ln 2 / rate is the time in which the way left is halved
 /// \throws std::invalid_argument if rate or dt is negative or not finite.
 double damp(double from, double goal, double rate, double dt);
+/// The same for a point.
 Point damp(const Point& from, const Point& goal, double rate, double dt);
 
 }  // namespace first_contact

@@ -25,6 +25,10 @@ void require_sound(const PrintedBounce& b) {
   if (b.samples == 0) throw std::invalid_argument("bounce's samples 0: must be at least 1");
 }
 
+[[noreturn]] void refuse_overflow(std::size_t sample) {
+  throw std::invalid_argument("bounce: the height at sample " + std::to_string(sample) + " must be finite");
+}
+
 }  // namespace
 
 //! [printed_bounce]
@@ -37,6 +41,7 @@ PrintedMotion run(const PrintedBounce& bounce) {
     const double t = motion.t.back() + bounce.dt;
     const double dy = v0 * bounce.dt - bounce.g * t * dT;
     double y = motion.y.back() - dy;
+    if (!std::isfinite(y)) refuse_overflow(i);
     if (y < 0) {
       motion.hits.push_back({i, t, dy / bounce.dt});
       y = 0;

@@ -17,6 +17,7 @@ struct PrintedBounce {
   double y0 = 25;    ///< height at the start; the floor is 0
   double g = 9.82;   ///< gravity
   double dt = 0.01;  ///< from one sample to the next
+  /// How many, with the one at the start.
   std::size_t samples = 2000;
   double restitution = 0.5;  ///< vo is multiplied by minus this at a hit; 1/2 in the paper
 };
@@ -24,19 +25,24 @@ struct PrintedBounce {
 /// A sample that went below the floor and was put back on it.
 struct PrintedHit {
   std::size_t sample;  ///< its number as the paper counts, from 1
+  /// Since the start.
   double time;
   double speed;  ///< downwards, of the step that went below: dy / dt
 };
 
 /// What the programs compute: t and y, sample by sample, and all hits.
 struct PrintedMotion {
+  ///@{
+  /// Times and heights.
   std::vector<double> t, y;
+  ///@}
+  /// In order.
   std::vector<PrintedHit> hits;
 };
 
 /// Runs the loop of the programs.
-/// \throws std::invalid_argument if a value is not finite, dt is not positive, y0, g or restitution is negative, or
-///         there is no sample.
+/// \throws std::invalid_argument if a value is not finite, dt is not positive, y0, g or restitution is negative,
+///         there is no sample, or a height overflows.
 PrintedMotion run(const PrintedBounce& bounce);
 
 /// The tops of the arcs: the samples that are higher than the one before and not lower than the next.

@@ -13,8 +13,11 @@ enum class Stepper {
 
 /// Height and speed at a time of a stepped simulation.
 struct Stepped {
+  /// Since the start.
   double time;
+  /// Above the floor.
   double height;
+  /// Upwards.
   double speed_up;
 
   /// Of a unit of mass.

@@ -14,12 +14,15 @@ namespace first_contact {
 
 /// The way from one key frame to the next. Its ends are the two key positions, so that no path can miss them.
 struct Path {
+  /// What leads from one to the next.
   enum class Kind { straight, bezier, b_spline };
 
+  /// Which of them.
   Kind kind = Kind::straight;
   std::vector<Point> between;   ///< control points between the two key positions
   bool constant_speed = false;  ///< by arc length instead of the curve's own parameter
 
+  /// A Bezier curve; its degree follows from the number of points.
   static Path bezier(std::vector<Point> points, bool by_length = false);
   /// Clamped, cubic (of a lower degree if there are fewer than two points between).
   static Path b_spline(std::vector<Point> points, bool by_length = false);
@@ -29,10 +32,10 @@ struct Path {
 
 /// A place at a time, and how to go on from there to the next key frame. Those of the last key frame are not used.
 struct KeyFrame {
-  double time;
-  Point position;
-  Easing easing = ease::linear;
-  Path path = {};
+  double time;                   ///< later than that of the key frame before
+  Point position;                ///< at that time
+  Easing easing = ease::linear;  ///< of the way to the next
+  Path path = {};                ///< to the next
 };
 
 /// A motion through key frames. At each key's time it is exactly at its position; before the first and after the last
@@ -43,9 +46,13 @@ class Tween {
   ///         position or control point is not finite, or an easing is missing.
   explicit Tween(std::vector<KeyFrame> keys);
 
+  /// Where it is at that time.
   Point at(double time) const;
+  /// The time of the first key frame.
   double begin() const { return keys_.front().time; }
+  /// The time of the last.
   double end() const { return keys_.back().time; }
+  /// As they were given.
   const std::vector<KeyFrame>& keys() const { return keys_; }
   /// The curve from key i to key i + 1.
   const Curve& curve(std::size_t i) const { return legs_[i].curve; }
@@ -62,10 +69,10 @@ class Tween {
 
 /// A pose of a rigid body at a time.
 struct Pose {
-  double time;
-  Point position;
-  Eigen::Quaterniond orientation;
-  Easing easing = ease::linear;
+  double time;                     ///< later than that of the pose before
+  Point position;                  ///< of the body's origin
+  Eigen::Quaterniond orientation;  ///< of any length but 0
+  Easing easing = ease::linear;    ///< of the way to the next
 };
 
 /// A rigid motion through key poses: straight lines for the position, and for the orientation the shortest turn at
@@ -77,6 +84,7 @@ class RigidTween {
   /// \throws std::invalid_argument as Tween does, and if an orientation is zero or not finite.
   explicit RigidTween(std::vector<Pose> poses);
 
+  /// The motion from the origin to the pose of that time.
   Rigid at(double time) const;
 
  private:

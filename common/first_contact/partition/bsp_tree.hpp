@@ -26,22 +26,32 @@ struct BspLimits {
 /// vertices, whose rounding would open cracks, and no touch of an edge that is but a cut.
 class BspTree {
  public:
+  /// A part of space: cut by a plane, or a leaf.
   struct Node {
     std::optional<Plane> plane;         ///< none: a leaf
-    std::uint32_t front = 0, back = 0;  ///< the numbers of its two children
-    std::uint32_t begin = 0,
-                  end = 0;  ///< its polygons, within the plane, or all of a leaf: places in `order()`
+    ///@{
+    /// The number of a child.
+    std::uint32_t front = 0, back = 0;
+    ///@}
+    ///@{
+    /// Its polygons, within the plane, or all of a leaf: places in `order()`.
+    std::uint32_t begin = 0, end = 0;
+    ///@}
 
+    /// Is it not cut any more?
     bool is_leaf() const { return !plane; }
   };
 
+  /// Cuts space by the planes of the polygons until few are left in each part.
   explicit BspTree(std::span<const Triangle> polygons, const BspLimits& limits = {});
 
   /// Shows a search all parts of space that it reaches, those first to which the motion comes first, and tests
   /// the polygons there.
   void search(Search& search) const;
 
+  /// How many nodes there are.
   std::size_t nodes() const { return nodes_.size(); }
+  /// The depth of the deepest; the root's is 0.
   std::size_t depth() const { return depth_; }
   /// The root has number 0.
   const Node& node(std::size_t i) const { return nodes_[i]; }

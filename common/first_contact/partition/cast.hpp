@@ -14,6 +14,7 @@ class Cast : public BallSearch {
   /// \param triangles  they must outlive the search; \param scene  their bounds
   Cast(const Moving<Sphere>& ball, std::span<const Triangle> triangles, const Bounds& scene);
 
+  /// The first contact, if there is one.
   const std::optional<Contact>& contact() const { return first_; }
 
  private:

@@ -19,7 +19,9 @@
 
 namespace first_contact {
 
+/// A point of the stage.
 using Point2 = Eigen::Vector2d;
+/// An upright rectangle of the stage.
 using Rectangle = Eigen::AlignedBox2d;
 
 /// A flat object on a stage: a closed polygon, convex or not.

@@ -19,8 +19,11 @@ class Objects {
   explicit Objects(std::vector<Bounds> all, const Limits&... limits)
       : all_(std::move(all)), tree_(std::span<const Bounds>(all_), limits...), bounds_(bounds_of(all_)) {}
 
+  /// The bounds of each object.
   const std::vector<Bounds>& all() const { return all_; }
+  /// What finds them.
   const Tree& tree() const { return tree_; }
+  /// The bounds of all.
   const Bounds& bounds() const { return bounds_; }
 
  private:

@@ -23,24 +23,33 @@ struct OctreeLimits {
 /// among many small ones is noted in nearly every leaf.
 class Octree {
  public:
+  /// A cube: divided into eight, or a leaf.
   struct Node {
     Bounds bounds;                     ///< of its objects; empty if it has none
     Point low;                         ///< the lowest corner of its cube
     double side;                       ///< the length of the cube's edges
     std::uint32_t first_child = 0;     ///< the number of the first of eight; 0 for a leaf
-    std::uint32_t begin = 0, end = 0;  ///< its objects: places in `order()`
+    ///@{
+    /// Its objects: places in `order()`.
+    std::uint32_t begin = 0, end = 0;
+    ///@}
 
+    /// Is it not divided?
     bool is_leaf() const { return first_child == 0; }
   };
 
+  /// Of objects, by their bounds.
   explicit Octree(std::span<const Bounds> objects, const OctreeLimits& limits = {});
+  /// Of polygons, by their bounds.
   explicit Octree(std::span<const Triangle> polygons, const OctreeLimits& limits = {});
 
   /// Shows a search all nodes that it reaches, and tests the objects of their leaves. The child from which the
   /// motion comes is shown first.
   void search(Search& search) const;
 
+  /// How many nodes there are.
   std::size_t nodes() const { return nodes_.size(); }
+  /// The depth of the deepest; the root's is 0.
   std::size_t depth() const { return depth_; }
   /// The root has number 0.
   const Node& node(std::size_t i) const { return nodes_[i]; }

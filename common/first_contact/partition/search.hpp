@@ -22,13 +22,16 @@ struct Statistics {
   std::size_t tests = 0;  ///< objects that were themselves tested, each at most once
   std::size_t hits = 0;   ///< objects that passed their test
 
+  /// Are all four counts equal?
   bool operator==(const Statistics&) const = default;
 };
 
 /// The parts of a motion before and behind a plane, as far as the search reaches: while it straddles the
 /// plane, it is in both.
 struct Sides {
+  /// Before the plane.
   Passage front;
+  /// Behind it.
   Passage back;
 
   /// Does it reach the plane itself?
@@ -56,6 +59,7 @@ class Search {
 
   /// The objects that passed the test, in ascending order.
   std::vector<std::size_t> found() const;
+  /// What has been counted so far.
   const Statistics& statistics() const { return statistics_; }
 
  protected:

@@ -24,8 +24,11 @@ class Soup {
     for (const Triangle& triangle : triangles_) bounds_.include(bounds_of(triangle));
   }
 
+  /// All triangles.
   const std::vector<Triangle>& triangles() const { return triangles_; }
+  /// What finds them.
   const Tree& tree() const { return tree_; }
+  /// The bounds of all.
   const Bounds& bounds() const { return bounds_; }
 
  private:

@@ -8,9 +8,10 @@ enum class Language { english, chinese };
 
 /// One wording in both languages.
 struct Text {
-  std::string english;
-  std::string chinese;
+  std::string english;  ///< the English wording
+  std::string chinese;  ///< the Traditional Chinese one
 
+  /// The wording in that language.
   const std::string& in(Language language) const { return language == Language::chinese ? chinese : english; }
 };
 

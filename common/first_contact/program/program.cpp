@@ -10,37 +10,11 @@
 #include <map>
 #include <optional>
 
+#include "first_contact/program/numbers.hpp"
+
 namespace first_contact::program {
 
 namespace {
-
-// Numbers are read strictly: all of the text, in C's notation, and finite.
-double number_of(const std::string& text) {
-  double value = 0;
-  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last) throw Refused("must be a number");
-  if (!std::isfinite(value)) throw Refused("must be finite");
-  return value;
-}
-
-std::vector<double> numbers_of(const std::string& text, std::size_t count) {
-  std::vector<double> numbers;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    try {
-      numbers.push_back(number_of(text.substr(begin, end - begin)));
-    } catch (const Refused& error) {
-      throw Refused("each part " + std::string(error.what()));
-    }
-    begin = end + 1;
-  }
-  if (numbers.size() != count)
-    throw Refused("must be " + std::to_string(count) + " numbers, separated by commas and nothing else");
-  return numbers;
-}
 
 void obey(const Program::Rule& rule, double value) {
   const std::string broken = rule ? rule(value) : "";
@@ -79,11 +53,12 @@ struct Program::Inside {
   std::string name;
   std::map<std::string, std::string> given;  // option -> its text
   std::vector<std::function<void()>> checks;
-  std::string out, language = "en", theme = "light", format = "svg";
+  std::string out, language = "en", theme = "light", format = "svg", values_file;
   bool as_json = false, no_figures = false;
   figure::Studio studio;
   std::optional<Report> report;
   Json json = Json::object();
+  Json values = Json::object();
 
   // An option whose text is checked and taken over once the whole line has been read.
   void add(const std::string& option, const std::string& letters, const std::string& help,
@@ -142,6 +117,10 @@ Program::Program(std::string name, std::string chapter, const std::string& purpo
   in.choose("--theme", in.theme, {"light", "dark", "grey"},
             "of png and pdf; an svg follows its reader's theme");
   in.line.add_flag("--json", in.as_json, "print only the results, as JSON");
+  in.add("--values", "FILE", "write the numbers that the notes show", "", [&in](const std::string& text) {
+    if (text.empty()) throw Refused("must name a file");
+    in.values_file = text;
+  });
   in.line.add_flag("--no-figures", in.no_figures, "write no figures");
 }
 
@@ -219,6 +198,7 @@ int Program::execute(int argc, char** argv, const std::function<void()>& chapter
   in.line.parse(joined_values(argc, argv));
   in.take_over();
   chapter();
+  if (!in.values_file.empty()) write_file(in.values_file, to_string(in.values) + "\n");
   if (in.as_json)
     std::cout << to_string(in.json) << '\n';
   else
@@ -252,6 +232,7 @@ int Program::run(int argc, char** argv, const std::function<void()>& chapter) {
 
 Report& Program::report() { return *inside_->report; }
 Json& Program::json() { return inside_->json; }
+void Program::value(const std::string& name, double number) { inside_->values[name] = number; }
 Language Program::language() const { return inside_->studio.chinese ? Language::chinese : Language::english; }
 bool Program::draws() const { return !inside_->no_figures; }
 const figure::Studio& Program::studio() const { return inside_->studio; }

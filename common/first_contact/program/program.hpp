@@ -8,15 +8,10 @@
 
 #include "first_contact/figure/figure.hpp"
 #include "first_contact/geometry/plane.hpp"
+#include "first_contact/program/numbers.hpp"
 #include "first_contact/program/report.hpp"
 
 namespace first_contact::program {
-
-/// A value that an option must not have; the message names the value and the rule.
-class Refused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// What every chapter shares: options, `--help`, `--json`, `--lang`, `--out`, figures, and the exit status:
 /// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a
@@ -31,6 +26,8 @@ class Refused : public std::runtime_error {
 ///     }
 class Program {
  public:
+  /// \param name  of the program
+  /// \param purpose  one line for `--help`
   /// \param chapter  the folder of the chapter, also of its figures: "01_plane"
   Program(std::string name, std::string chapter, const std::string& purpose);
   Program(const Program&) = delete;
@@ -40,6 +37,7 @@ class Program {
   /// A rule for a number: it returns what the number must be if it is not that, else nothing.
   using Rule = std::function<std::string(double)>;
 
+  ///@{
   /// Options with their default values; vectors are comma-separated, `--p1=-1,8` and `--p1 -1,8` alike.
   void option(const std::string& name, double& value, const std::string& letters, const std::string& help,
               const Rule& rule = {});
@@ -53,6 +51,7 @@ class Program {
               const std::string& help);
   void option(const std::string& name, std::string& value, const std::vector<std::string>& choices,
               const std::string& help);
+  ///@}
 
   /// Was this option given on the command line?
   bool given(const std::string& name) const;
@@ -71,11 +70,16 @@ class Program {
   /// Reads the command line, checks all of it, runs the chapter, then prints the report or the JSON.
   int run(int argc, char** argv, const std::function<void()>& chapter);
 
+  /// What is printed for a reader.
   Report& report();
+  /// What `--json` prints.
   Json& json();
+  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as JSON.
+  void value(const std::string& name, double number);
+  /// The language of this run.
   Language language() const;
   /// Text in the language of this run.
-  const std::string& say(const Text& text) const { return text.in(language()); }
+  std::string say(const Text& text) const { return text.in(language()); }
   /// False with `--no-figures`.
   bool draws() const;
   /// Where figures go and how they are drawn.

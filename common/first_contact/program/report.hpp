@@ -32,6 +32,7 @@ std::string readable(const std::string& value);
 /// equation and printed value where there are any. It is printed whole at the end.
 class Report {
  public:
+  /// An empty report in that language.
   explicit Report(Language language) : language_(language) {}
 
   /// The first line: what the chapter is about, and the paper's section.
@@ -54,6 +55,7 @@ class Report {
              meaning.chinese + "；" + note.chinese + printed});
   }
 
+  /// Prints all of it, the columns aligned.
   void print(std::ostream& out) const;
 
  private:

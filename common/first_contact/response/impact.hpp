@@ -6,6 +6,7 @@ namespace first_contact {
 /// A body that can be struck: its mass and its velocity, in the plane (Dimension 2) or in space (3).
 template <int Dimension>
 struct Body {
+  /// In the unit of the caller's choice.
   using Velocity = Eigen::Matrix<double, Dimension, 1>;
 
   /// \param m  positive; infinite for what nothing can move, such as a wall.
@@ -13,14 +14,19 @@ struct Body {
   /// finite.
   Body(double m, const Velocity& v);
 
+  /// Positive, or infinite.
   double mass;
+  /// Before the impact.
   Velocity velocity;
 };
 
 /// The velocities after an impact, and the impulse that p received (q received its opposite).
 template <int Dimension>
 struct Impact {
+  ///@{
+  /// After the impact; the impulse in units of mass times velocity.
   Eigen::Matrix<double, Dimension, 1> velocity_p, velocity_q, impulse;
+  ///@}
 };
 
 /// Impact of two smooth bodies (without friction or spin; paper, 2.4.2): the impulse along the normal that

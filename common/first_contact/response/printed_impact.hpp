@@ -7,8 +7,12 @@ namespace first_contact {
 
 /// One of the two bodies of the paper's program 4.
 struct PrintedBody {
+  /// m.
   double mass;
+  ///@{
+  /// At the start.
   Eigen::Vector2d position, velocity;
+  ///@}
 };
 
 /// What program 4 makes of them.

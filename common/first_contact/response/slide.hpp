@@ -31,8 +31,10 @@ enum class Ending {
 struct Slide {
   std::vector<Point> positions;   ///< of the centre: the start, each corner of the path, the end
   std::vector<Contact> contacts;  ///< in order; the time is that of the whole motion, in [0, 1]
+  /// Why it ends there.
   Ending ending;
 
+  /// Where the centre ends.
   const Point& end() const { return positions.back(); }
 };
 
@@ -70,8 +72,11 @@ Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, d
 
 /// The largest coordinate that describes an obstacle: its scale, for `slide`.
 inline double extent(const Plane& plane) { return std::abs(plane.offset()); }
+/// Of a triangle.
 double extent(const Triangle& triangle);
+/// Of a mesh.
 double extent(const Mesh& mesh);
+/// Of an environment.
 inline double extent(const Environment& environment) { return extent(environment.mesh()); }
 
 /// Slides along any obstacle for which `sweep(moving, obstacle)` and `extent(obstacle)` exist.

@@ -33,8 +33,8 @@ struct Moving {
     require_finite(displacement, "displacement");
   }
 
-  Shape shape;
-  Vector displacement;
+  Shape shape;          ///< where it is at t = 0
+  Vector displacement;  ///< V, from t = 0 to t = 1
 };
 
 /// What of a polyhedron is touched. A plane and a sphere have but one smooth face.
@@ -45,6 +45,7 @@ constexpr const char* to_string(Feature feature) {
   return feature == Feature::face ? "face" : feature == Feature::edge ? "edge" : "vertex";
 }
 
+/// Writes "face", "edge" or "vertex".
 inline std::ostream& operator<<(std::ostream& out, Feature feature) { return out << to_string(feature); }
 
 /// The points of one contact, one a column: 1 as a rule; 2 or 4 when a box lands on an edge or a face.
@@ -53,6 +54,7 @@ using ContactPoints = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 
 /// The number of no triangle.
 inline constexpr std::size_t no_triangle = std::numeric_limits<std::size_t>::max();
 
+//! [contact]
 /// The first contact of a sweep.
 struct Contact {
   double time;                         ///< t in [0, 1] (or in the interval that was asked for)
@@ -64,5 +66,6 @@ struct Contact {
   /// The one point of the contact; of an edge or a face, its middle.
   Point point() const { return points.rowwise().mean(); }
 };
+//! [contact]
 
 }  // namespace first_contact

@@ -16,7 +16,10 @@ namespace first_contact {
 /// end.
 template <class Scalar>
 struct ContactTimes {
+  ///@{
+  /// Contact, and separation.
   Scalar begin, end;
+  ///@}
 };
 
 //! [textbook_times]

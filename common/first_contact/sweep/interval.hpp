@@ -15,7 +15,10 @@ struct Interval {
     throw std::invalid_argument(message.str());
   }
 
+  ///@{
+  /// t_m, and t_n.
   double first, last;
+  ///@}
 };
 
 }  // namespace first_contact

@@ -20,6 +20,7 @@ struct Touch {
   double distance;  ///< from the feature to the centre at that time: r, or less if they overlap at the start
   Vector normal;    ///< unit, from the feature to the centre
   Point point;      ///< on the feature
+  /// Which of the three it is.
   Feature feature;
   double tolerance;  ///< how far rounding may have moved the distance
 };

@@ -29,58 +29,62 @@ bool agree(const Touch& touch, double sine) {
   return near ? sine <= rounding_of_distance : touch.distance * sine <= unnoticed_step(touch);
 }
 
-/// The same touch with the face's own normal, if the face is approached; sliding along a face is no contact.
-std::optional<Touch> as_touch_of_face(Touch touch, const Facet& facet, const Moving<Sphere>& moving) {
-  const double side = touch.normal.dot(facet.normal) > 0 ? 1 : -1;
-  if (!(side * facet.normal.dot(moving.displacement) < 0)) return std::nullopt;
-  touch.normal = side * facet.unit_normal();
-  touch.feature = Feature::face;
-  return touch;
-}
+/// What the flat surroundings of a touch make of it. Sliding along them is no contact.
+enum class Verdict { none_agrees, sliding, approached };
 
-/// The face whose normal agrees best with the touch; none if none does.
-const Facet* face_that_agrees(const Touch& touch, std::span<const FaceAround> faces, double radius) {
-  const Facet* best = nullptr;
+/// Turns a touch into that of a face whose normal agrees with its own; of several the one that agrees best.
+Verdict ask_faces(Touch& touch, std::span<const FaceAround> faces, const Moving<Sphere>& moving) {
+  Verdict verdict = Verdict::none_agrees;
+  const Vector normal = touch.normal;
   double least = 2;
   for (const auto& [facet, inward] : faces) {
-    if (facet->thin_for(radius)) continue;
-    const double sine = touch.normal.cross(facet->unit_normal()).norm();
-    if (sine >= least || !agree(touch, sine)) continue;
+    const double sine = normal.cross(facet->unit_normal()).norm();
+    if (facet->thin_for(moving.shape.radius) || !agree(touch, sine)) continue;
+    if (verdict == Verdict::none_agrees) verdict = Verdict::sliding;
+    const double side = normal.dot(facet->normal) > 0 ? 1 : -1;
+    if (!(side * facet->normal.dot(moving.displacement) < 0) || sine >= least) continue;
+    verdict = Verdict::approached;
     least = sine;
-    best = facet;
+    touch.normal = side * facet->unit_normal();
+    touch.feature = Feature::face;
   }
-  return best;
+  return verdict;
+}
+
+/// Turns the touch of a vertex into that of an edge which is at a right angle to its normal.
+Verdict ask_edges(Touch& touch, std::span<const Vector> edges, const Moving<Sphere>& moving) {
+  Verdict verdict = Verdict::none_agrees;
+  const Vector m = moving.shape.center - touch.point;
+  for (const Vector& e : edges) {
+    if (!agree(touch, std::abs(touch.normal.dot(e)) / e.norm())) continue;
+    touch.feature = Feature::edge;
+    if (e.cross(m).dot(e.cross(moving.displacement)) < 0) return Verdict::approached;
+    verdict = Verdict::sliding;
+  }
+  return verdict;
 }
 
 }  // namespace
 
 //! [among_faces]
-std::optional<Touch> among_faces(const Touch& edge, std::span<const FaceAround> faces,
+std::optional<Touch> among_faces(Touch touch, std::span<const FaceAround> faces,
                                  const Moving<Sphere>& moving) {
   for (const auto& [facet, inward] : faces)
-    if (!facet->thin_for(moving.shape.radius) && nearer_along(edge, inward)) return std::nullopt;
-  if (const Facet* facet = face_that_agrees(edge, faces, moving.shape.radius))
-    return as_touch_of_face(edge, *facet, moving);
-  return edge;
+    if (!facet->thin_for(moving.shape.radius) && nearer_along(touch, inward)) return std::nullopt;
+  if (ask_faces(touch, faces, moving) == Verdict::sliding) return std::nullopt;
+  return touch;
 }
 //! [among_faces]
 
 //! [among_edges]
-std::optional<Touch> among_edges(const Touch& vertex, std::span<const Vector> edges,
+std::optional<Touch> among_edges(Touch touch, std::span<const Vector> edges,
                                  std::span<const FaceAround> faces, const Moving<Sphere>& moving) {
   for (const Vector& e : edges)
-    if (nearer_along(vertex, e)) return std::nullopt;
-  if (const Facet* facet = face_that_agrees(vertex, faces, moving.shape.radius))
-    return as_touch_of_face(vertex, *facet, moving);
-  for (const Vector& e : edges) {
-    if (!agree(vertex, std::abs(vertex.normal.dot(e)) / e.norm())) continue;
-    const Vector m = moving.shape.center - vertex.point;
-    if (!(e.cross(m).dot(e.cross(moving.displacement)) < 0)) return std::nullopt;  // sliding along the edge
-    Touch touch = vertex;
-    touch.feature = Feature::edge;
-    return touch;
-  }
-  return vertex;
+    if (nearer_along(touch, e)) return std::nullopt;
+  Verdict verdict = ask_faces(touch, faces, moving);
+  if (verdict == Verdict::none_agrees) verdict = ask_edges(touch, edges, moving);
+  if (verdict == Verdict::sliding) return std::nullopt;
+  return touch;
 }
 //! [among_edges]
 

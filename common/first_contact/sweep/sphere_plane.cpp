@@ -5,9 +5,11 @@
 
 namespace first_contact {
 
+//! [overlap_sphere_plane]
 bool overlap(const Sphere& sphere, const Plane& plane) {
   return std::abs(plane.signed_distance(sphere.center)) <= sphere.radius;
 }
+//! [overlap_sphere_plane]
 
 //! [sweep_sphere_plane]
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Plane& plane) {

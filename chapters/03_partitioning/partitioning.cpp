@@ -1,0 +1,223 @@
+// Chapter 3: who could be hit at all? An octree, a BSP tree, and hit tests (paper, 1.4, 2.4.1).
+#include <cstdio>
+#include <numbers>
+
+#include "figures.hpp"
+#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/partition/brute_force.hpp"
+#include "first_contact/partition/bsp_tree.hpp"
+#include "first_contact/program/program.hpp"
+#include "grown_planes.hpp"
+#include "measure.hpp"
+#include "room.hpp"
+#include "stage.hpp"
+
+using namespace first_contact;
+using namespace first_contact::program;
+
+namespace {
+
+constexpr std::size_t flight_count = 100;
+
+//! [costs]
+struct Costs {
+  Cost octree, bsp, brute_force;
+  std::size_t objects;
+
+  Costs(const std::vector<Triangle>& triangles, std::uint64_t seed) : objects(triangles.size()) {
+    const Soup<Octree> in_octree(triangles);
+    const auto balls = flights(flight_count, in_octree.bounds(), seed + 1);
+    octree = measure(in_octree, balls);
+    bsp = measure(Soup<BspTree>(triangles), balls);
+    brute_force = measure(Soup<BruteForce>(triangles), balls);
+  }
+  bool agree() const { return same_contacts(octree, brute_force) && same_contacts(bsp, brute_force); }
+};
+//! [costs]
+
+std::string truth(bool value) { return value ? "true" : "false"; }
+
+std::string fixed(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+//! [report]
+void tell_tree(Report& report, const Cost& cost) {
+  report.row("nodes", static_cast<double>(cost.nodes), {"of the tree", "樹的節點數"});
+  report.row("depth", static_cast<double>(cost.depth), {"of the deepest leaf", "最深的葉節點"});
+  report.row("nodes looked at", cost.per_flight(cost.looked_at), {"on the average flight", "每次飛行平均"});
+  report.row("tests", cost.per_flight(cost.tests),
+             {"of the ball against a triangle, on the average flight", "球與三角形的測試，每次飛行平均"});
+}
+
+void tell(Report& report, const Costs& costs) {
+  report.title({"Partitioning: who could be hit at all?", "分割的空間之碰撞測試"}, "1.4");
+  report.say({"Balls that fly across a room of triangles", "球面飛越充滿三角形的房間"});
+  report.row("k", static_cast<double>(costs.objects), {"objects in the room", "房間內的物品數"});
+  report.row("flights", static_cast<double>(flight_count),
+             {"from anywhere to anywhere", "任意起點至任意終點"});
+  report.row("hits", static_cast<double>(costs.brute_force.hits),
+             {"flights that end at a triangle", "發生碰撞的飛行"});
+  report.say({"No structure: every flight is tested against every object", "不分割：每次飛行測試所有物品"});
+  report.row("tests", costs.brute_force.per_flight(costs.brute_force.tests),
+             {"on the average flight", "每次飛行平均"});
+  report.say({"The octree: a cube cut into eight, and those again", "八元樹：立方體切成八等份，再繼續切"});
+  tell_tree(report, costs.octree);
+  report.row("log_8 k", log8(costs.objects),
+             {"the paper's time to find one object", "論文：平均找到一物品的時間"});
+  report.say({"The BSP tree: space cut in two along polygons", "BSP tree：以多邊形平面分割空間"});
+  tell_tree(report, costs.bsp);
+  report.say({"All three give the same contacts, to the last bit", "三者的碰撞結果完全相同"});
+  report.row("same", truth(costs.agree()),
+             {"time, point, normal, feature, triangle", "時間、碰撞點、法向量等"});
+}
+
+// The depth of k points in an octree with one point to a leaf.
+void tell_log8(Report& report, std::uint64_t seed) {
+  const auto tell_depth = [&](Spread spread) {
+    for (const std::size_t k : {8U, 64U, 512U, 4096U}) {
+      const Depth depth = depth_of_objects(Octree(points(k, spread, seed), OctreeLimits{1, 20}));
+      const std::string mean = fixed(depth.mean, 2), deepest = std::to_string(depth.deepest);
+      report.row("log_8 " + std::to_string(k), log8(k),
+                 {"measured: " + mean + " on the average, " + deepest + " at the deepest",
+                  "實測：平均 " + mean + "，最深 " + deepest});
+    }
+  };
+  report.say(
+      {"As printed: one of k objects is found in log_8 k steps. True of objects that lie evenly, and one "
+       "step off:",
+       "論文所印：平均在 log_8 k 的時間內找到物品。物品均勻分布時約成立："});
+  tell_depth(Spread::even);
+  report.say({"Corrected: of crowded objects it is not; what bounds a search is the depth of the tree",
+              "修正：物品聚集時不成立；搜尋時間以樹的深度為界"});
+  tell_depth(Spread::clustered);
+}
+
+// The same-side test at both ends of a motion, r = 1, plane z = 0.
+void tell_same_side(Report& report) {
+  const std::vector<Triangle> tile{{{-2, -2, 0}, {2, -2, 0}, {0, 2, 0}}};
+  const Moving<Sphere> landing{{{0, 0, 3}, 1}, {0, 0, -2}};
+  const Plane e({0, 0, 1}, 0);
+  const double d1 = e.signed_distance(landing.shape.center);
+  const double d2 = e.signed_distance(landing.shape.center + landing.displacement);
+  report.say({"As printed: no contact if E.Q >= r at both ends, or E.Q <= -r at both",
+              "論文所印：兩端皆 E.Q >= r 或皆 E.Q <= -r，即無碰撞"});
+  report.row("E.Q1", d1, {"r = 1: a ball that comes down on a tile", "r = 1：球落在地磚上"});
+  report.row("E.Q2", d2, {"it touches at the very end", "恰在終點接觸"});
+  report.row("E.Q >= r", truth(d1 >= 1 && d2 >= 1),
+             {"at both ends: no contact, as printed", "兩端皆成立：論文判為無碰撞"});
+  report.say({"Corrected: E.Q > r and E.Q < -r reject; what touches is tested",
+              "修正：E.Q > r 或 E.Q < -r 才排除；接觸者須測試"});
+  report.row("t", sweep(landing, Soup<BspTree>(tile))->time, {"first contact", "碰撞時間"});
+}
+
+// Planes moved out by r, at a sharp edge.
+void tell_grown_planes(Report& report) {
+  report.say(
+      {"Planes of a tree grown by r instead of a last exact test: at a sharp edge they stick out, r = 1",
+       "以外推 r 的平面代替最後的精確測試：在尖銳的稜過度凸出，r = 1"});
+  for (const double degrees : {45.0, 15.0, 5.0}) {
+    const Wedge wedge{degrees * std::numbers::pi / 180};
+    const Moving<Sphere> falling{{{0, 0, 16}, 1}, {0, 0, -16}};
+    const auto early = time_at_grown_planes(falling, wedge);
+    const auto contact = sweep(falling, Soup<BspTree>(wedge.faces()));
+    const std::string exact = readable(16 - 16 * contact->time);
+    report.row("r / sin " + readable(degrees), 16 - 16 * *early,
+               {"height at which the ball stops; it touches at " + exact,
+                "外推平面使球停在此高度；實際接觸於 " + exact});
+  }
+  const Wedge wedge{15 * std::numbers::pi / 180};
+  const Moving<Sphere> passing{{{-8, 0, 2}, 1}, {16, 0, 0}};
+  report.row("passing at 2 r", truth(time_at_grown_planes(passing, wedge).has_value()),
+             {"a hit of the grown planes at 15 degrees; of the wedge: " +
+                  truth(sweep(passing, Soup<BspTree>(wedge.faces())).has_value()),
+              "15 度的外推平面是否碰撞；楔形本身：" +
+                  truth(sweep(passing, Soup<BspTree>(wedge.faces())).has_value())});
+}
+
+// hitTestPoint and hitTestObject (paper, 2.4.1).
+void tell_hit_tests(Report& report) {
+  const Stage stage;
+  report.say({"Hit tests as ActionScript defines them (paper, 2.4.1): boxes overlap, shapes do not",
+              "ActionScript 的碰撞偵測（論文 2.4.1）：範圍框重疊，形狀並未接觸"});
+  report.row("hitTestObject", truth(hit_test_object(stage.leaf, stage.hook)),
+             {"box against box", "範圍框對範圍框"});
+  report.row("shape against shape", truth(overlap(stage.leaf, stage.hook)),
+             {"what it cannot tell", "實際形體"});
+  report.row("hitTestPoint", truth(hit_test_point(stage.leaf, stage.pointer)),
+             {"the pointer against a bounding box", "滑鼠對範圍框"});
+  report.row("with shapeFlag", truth(hit_test_point(stage.leaf, stage.pointer, true)),
+             {"against the shape itself", "滑鼠對形狀"});
+}
+//! [report]
+
+Json to_json(const Cost& cost) {
+  return {{"nodes", cost.nodes}, {"depth", cost.depth}, {"tests", cost.tests}, {"hits", cost.hits}};
+}
+
+std::string at_most_a_million(double value) {
+  return value >= 0 && value <= 1e6 ? "" : "must be from 0 to 1000000";
+}
+
+void draw_figures(const Program& program, std::uint64_t seed) {
+  draw_octree(program.studio());
+  draw_bsp(program.studio());
+  draw_same_side(program.studio());
+  draw_grown_planes(program.studio());
+  draw_hit_tests(program.studio());
+  draw_costs(program, seed);
+}
+
+//! [scene]
+struct Scene {
+  long objects = 1000;
+  long seed = 1;
+  std::string mesh;
+};
+
+// The triangles of a mesh, or as many as are asked for.
+std::vector<Triangle> triangles_of(const Scene& scene) {
+  if (scene.mesh.empty())
+    return shards(static_cast<std::size_t>(scene.objects), Spread::even,
+                  static_cast<std::uint64_t>(scene.seed));
+  const Mesh mesh = read_mesh(scene.mesh);
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.size(); ++i) triangles.push_back(mesh.triangle(i));
+  return triangles;
+}
+//! [scene]
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("partitioning", "03_partitioning",
+                  "Octree and BSP tree: who could be hit at all? Hit tests (paper, 1.4, 2.4.1).");
+  Scene scene;
+  program.option("--objects", scene.objects, "n", "number of triangles in the room", at_most_a_million);
+  program.option("--seed", scene.seed, "k", "of the random numbers");
+  program.option("--mesh", scene.mesh, "FILE",
+                 "search the triangles of this mesh instead (OBJ, OFF, PLY, STL)");
+  return program.run(argc, argv, [&] {
+    if (program.given("--mesh") && program.given("--objects"))
+      throw Refused("--objects " + std::to_string(scene.objects) + ": must not be given with --mesh");
+    const auto triangles = program.checked("--mesh", [&] { return triangles_of(scene); });
+    const auto seed = static_cast<std::uint64_t>(scene.seed);
+    const Costs costs(triangles, seed);
+    tell(program.report(), costs);
+    tell_log8(program.report(), seed);
+    tell_same_side(program.report());
+    tell_grown_planes(program.report());
+    tell_hit_tests(program.report());
+    program.json() = {{"objects", costs.objects},
+                      {"flights", flight_count},
+                      {"octree", to_json(costs.octree)},
+                      {"bsp", to_json(costs.bsp)},
+                      {"brute_force", to_json(costs.brute_force)},
+                      {"same", costs.agree()}};
+    if (program.draws()) draw_figures(program, seed);
+  });
+}
+//! [main]

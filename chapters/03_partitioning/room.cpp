@@ -1,0 +1,85 @@
+#include "room.hpp"
+
+#include <cmath>
+
+using namespace first_contact;
+
+namespace {
+
+// By Newton's method: the library's own function may differ in its last bit from platform to platform.
+double cube_root(double value) {
+  double root = value;
+  for (int i = 0; i < 64; ++i) root = (2 * root + value / (root * root)) / 3;
+  return root;
+}
+
+struct Place {
+  Point at;
+  double scale;
+};
+
+// The clusters' middle is off every plane along which an octree divides the room.
+Place place(Spread spread, Random& random) {
+  if (spread == Spread::even) return {random.vector(), 1};
+  const double scale = std::ldexp(1.0, -random.below(12));
+  return {Point(0.3, 0.6, 0.45) + scale * 0.6 * (random.vector() - Vector::Constant(0.5)), scale};
+}
+
+}  // namespace
+
+Vector Random::vector() {
+  const double x = number(), y = number(), z = number();
+  return {x, y, z};
+}
+
+std::vector<Triangle> shards(std::size_t count, Spread spread, std::uint64_t seed) {
+  Random random(seed);
+  const double size = count > 0 ? 0.5 / cube_root(static_cast<double>(count)) : 0;
+  std::vector<Triangle> all;
+  all.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [at, scale] = place(spread, random);
+    const auto corner = [&, at = at, scale = scale] {
+      return Point(at + size * scale * (2 * random.vector() - Vector::Ones()));
+    };
+    const Point a = corner(), b = corner(), c = corner();
+    all.emplace_back(a, b, c);
+  }
+  return all;
+}
+
+std::vector<Bounds> points(std::size_t count, Spread spread, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Bounds> all;
+  all.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point at = place(spread, random).at;
+    all.emplace_back(at, at);
+  }
+  return all;
+}
+
+std::vector<Moving<Sphere>> flights(std::size_t count, const Bounds& room, std::uint64_t seed) {
+  Random random(seed);
+  const Bounds box = room.empty() ? Bounds({0, 0, 0}, {1, 1, 1}) : room;
+  const Vector size = box.size();
+  std::vector<Moving<Sphere>> all;
+  all.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point from = box.low + size.cwiseProduct(random.vector());
+    const Point to = box.low + size.cwiseProduct(random.vector());
+    all.push_back({{from, 0.01 * size.maxCoeff()}, to - from});
+  }
+  return all;
+}
+
+std::vector<Moving<Sphere>> flights_at(const std::vector<Triangle>& triangles, std::size_t count,
+                                       const Bounds& room, std::uint64_t seed) {
+  auto all = flights(count, room, seed);
+  Random random(seed + 1);
+  for (auto& ball : all) {
+    const auto target = static_cast<std::size_t>(random.below(static_cast<int>(triangles.size())));
+    ball.displacement = triangles[target].a - ball.shape.center;
+  }
+  return all;
+}

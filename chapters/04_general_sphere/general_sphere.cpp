@@ -1,0 +1,177 @@
+// Chapter 4: a moving sphere against an arbitrary environment (paper, 2.1), and a ray against a triangle (3.2.3).
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "casts.hpp"
+#include "figures.hpp"
+#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/program.hpp"
+#include "first_contact/sweep/ray_triangle.hpp"
+#include "first_contact/sweep/sphere_mesh.hpp"
+#include "scenes.hpp"
+
+using namespace first_contact;
+using namespace first_contact::program;
+using namespace general_sphere_chapter;
+
+namespace {
+
+//! [scene]
+struct Scene {
+  std::string mesh = "cut cube";
+  Point from{2.6, -0.5, 2.0};
+  Point to{0.4, 0.1, 0.5};
+  double radius = 0.35;
+  std::string casts = "none", results = "none";
+};
+//! [scene]
+
+//! [report]
+void tell_environment(Report& report, const Environment& environment) {
+  std::map<EdgeKind, std::size_t> count;
+  for (const auto& edge : environment.topology().edges()) ++count[edge.kind];
+  std::size_t buried = 0;
+  for (std::uint32_t i = 0; i < environment.mesh().vertices().size(); ++i)
+    buried += environment.topology().buried(i);
+  report.title({"A moving sphere meets an arbitrary environment", "通用的球面碰撞"}, "2.1");
+  report.say({"The environment: its features, and those that need no test (figures 8 and 9)",
+              "環境：面、稜、頂點，以及不須檢測者（圖八、圖九）"});
+  const auto row = [&](const std::string& what, std::size_t number, const Text& meaning) {
+    report.row(what, std::to_string(number), meaning);
+  };
+  row("triangles", environment.mesh().size(), {"faces: each is moved out by r", "面：外推 r"});
+  row("convex edges", count[EdgeKind::convex],
+      {"a cylinder of radius r about each", "稜：半徑為 r 的圓柱體"});
+  row("concave edges", count[EdgeKind::concave],
+      {"from outside a face is always nearer", "凹陷的稜：不須檢測"});
+  row("flat edges", count[EdgeKind::flat],
+      {"seams between triangles of one face: no test", "同一平面內的接縫：不須檢測"});
+  row("boundary edges", count[EdgeKind::boundary], {"where the surface ends", "曲面邊界"});
+  row("non-manifold edges", count[EdgeKind::non_manifold], {"of three faces or more", "三個以上的面共用"});
+  row("buried vertices", buried, {"no test", "埋沒的頂點：不須檢測"});
+}
+
+void tell_contact(Report& report, const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
+  if (!contact) return report.say({"No contact within 0 <= t <= 1.", "0 <= t <= 1 之間沒有發生碰撞"});
+  report.say({"The first contact: the earliest over all faces, edges and vertices",
+              "碰撞：所有面、稜、頂點之中最早者"});
+  report.row("t", contact->time, {"time of impact", "碰撞時間"});
+  report.row("S(t) = S0 + tV", Point(moving.shape.center + contact->time * moving.displacement),
+             {"centre at that time", "碰撞時的球心"});
+  report.row("C = S(t) - rN", contact->point(), {"point of contact", "碰撞點"});
+  report.row("N", contact->normal, {"unit normal, from the environment to the sphere", "單位法向量"});
+  report.row("feature", std::string(to_string(contact->feature)), {"what is touched", "接觸的部分"});
+  report.row("triangle", std::to_string(contact->triangle), {"its number, from 0", "三角形編號"});
+}
+
+// The earliest of the paper's cylinders about moved-out edges.
+std::optional<double> printed_time(const Moving<Sphere>& moving, const Environment& environment) {
+  std::optional<double> first;
+  for (const auto& edge : environment.topology().edges()) {
+    if (edge.kind != EdgeKind::convex) continue;
+    const auto t = time_of_printed_cylinder(moving, environment, edge);
+    if (t && (!first || *t < *first)) first = t;
+  }
+  return first;
+}
+
+std::string or_none(const std::optional<double>& value) { return value ? readable(*value) : "-"; }
+
+void tell_corrections(Report& report, const Moving<Sphere>& moving, const Environment& environment,
+                      const std::optional<Contact>& contact) {
+  report.say({"As printed: the cylinder's axis is the edge of the moved-out solid",
+              "論文所印：圓柱體的中心線是外推後的稜"});
+  report.row("t of that cylinder", or_none(printed_time(moving, environment)),
+             {"the ball stops in the air", "球面尚未接觸就停止"});
+  report.say({"Corrected: a cylinder of radius r about the original edge, a sphere about the original vertex",
+              "修正：以原來的稜為中心線、以原來的頂點為球心"});
+  report.row("t", contact ? readable(contact->time) : "-", {"time of impact, as above", "碰撞時間（同上）"});
+}
+
+void tell_order(Report& report) {
+  const Mesh stairs = step();
+  const Moving<Sphere> falling{{{1, 0, 3}, 0.5}, {0, 0, -3}};
+  report.say(
+      {"As printed: the first face that is hit ends the search. A ball of radius 1/2 falls on a step of "
+       "height 1",
+       "論文所印：一碰到面就略過其餘檢測。半徑 1/2 的球落在高 1 的階梯上"});
+  report.row("t of the first face listed", first_face_in_the_list(falling, stairs)->time,
+             {"the floor below the step: the ball has gone through it", "階梯下的地面：球已穿過階梯"});
+  report.say({"Corrected: the earliest of all features", "修正：取所有特徵中最早者"});
+  report.row("t of the first contact", sweep(falling, stairs)->time, {"the step", "階梯"});
+}
+
+void tell_ray(Report& report) {
+  const Triangle triangle{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  const auto hit = sweep(Moving<Point>{{0.5, 0.5, 1}, {0, 0, -2}}, triangle);
+  const auto edge = sweep(Moving<Point>{{1, 1, 1}, {0, 0, -2}}, triangle);
+  report.say({"A ray against a triangle (3.2.3) is the path of a sphere of radius 0",
+              "光跡對三角形（3.2.3）：半徑為 0 的球面"});
+  report.row("t, inside", hit->time, {"a ray through the face", "光跡穿過面"});
+  report.row("t, on the edge", edge->time,
+             {"a ray through the edge itself: never missed", "光跡恰在稜上：不會遺漏"});
+}
+//! [report]
+
+Json results(const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
+  Json json;
+  json["contact"] = nullptr;
+  if (contact)
+    json["contact"] = {{"time", contact->time},
+                       {"center", to_json(Vector(moving.shape.center + contact->time * moving.displacement))},
+                       {"point", to_json(contact->point())},
+                       {"normal", to_json(contact->normal)},
+                       {"feature", to_string(contact->feature)},
+                       {"triangle", contact->triangle}};
+  return json;
+}
+
+Environment environment_of(Program& program, const Scene& scene) {
+  if (!program.given("--mesh")) return Environment(cut_cube());
+  return program.checked("--mesh", [&] { return Environment(read_mesh(scene.mesh)); });
+}
+
+// All casts are read, checked and made before anything is written.
+void run_casts(Program& program, const Scene& scene, const Environment& environment) {
+  if (program.given("--casts") != program.given("--results"))
+    throw Refused("--results " + scene.results + ": must be given together with --casts " + scene.casts);
+  if (!program.given("--casts")) return;
+  const Casts casts = program.checked("--casts", [&] { return read_casts(scene.casts); });
+  program.checked("--results", [&] {
+    write_file(scene.results, results_of(casts, environment));
+    return true;
+  });
+}
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("general_sphere", "04_general_sphere",
+                  "A moving sphere meets an arbitrary environment (paper, 2.1).");
+  Scene scene;
+  program.option("--mesh", scene.mesh, "FILE", "the environment: an OBJ, OFF, PLY or STL file");
+  program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
+  program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
+  program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
+  program.option("--casts", scene.casts, "IN.csv", "many casts, a line each: x0,y0,z0,x1,y1,z1,r");
+  program.option("--results", scene.results, "OUT.csv",
+                 "their results: hit,time,px,py,pz,nx,ny,nz,feature,triangle");
+  return program.run(argc, argv, [&] {
+    const auto moving = program.checked("--to", [&] {
+      return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
+    });
+    const Environment environment = environment_of(program, scene);
+    run_casts(program, scene, environment);
+    const auto contact = sweep(moving, environment);
+    tell_environment(program.report(), environment);
+    tell_contact(program.report(), moving, contact);
+    tell_corrections(program.report(), moving, environment, contact);
+    tell_order(program.report());
+    tell_ray(program.report());
+    program.json() = results(moving, contact);
+    if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
+  });
+}
+//! [main]

@@ -1,0 +1,30 @@
+#include "scene.hpp"
+
+#include "first_contact/geometry/mesh_file.hpp"
+
+using namespace first_contact;
+
+//! [rooms]
+const std::vector<Rectangle> ground{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}};
+const std::vector<Rectangle> crease{ground[0], {{0, 2, 0.9}, {3, 0, 0}, {0, 0, 0.9}}};
+const std::vector<Rectangle> corner{{{0.75, 0, 0}, {2.25, 0, 0}, {0, 2, 0}},
+                                    {{0.75, 2, 0.9}, {2.25, 0, 0}, {0, 0, 0.9}},
+                                    {{3, 0, 0.9}, {0, 2, 0}, {0, 0, 0.9}}};
+
+const Moving<Sphere> into_crease{{{-2.2, -1.2, 1.1}, 0.5}, {4.5, 5, -1.8}};
+const Moving<Sphere> into_corner{{{-0.8, -1.4, 1.2}, 0.5}, {5.5, 3, -3}};
+//! [rooms]
+
+Environment Scene::environment() const { return Environment(mesh.empty() ? walls(ground) : read_mesh(mesh)); }
+
+Mesh walls(const std::vector<Rectangle>& rectangles) {
+  std::vector<Point> vertices;
+  std::vector<Mesh::Face> faces;
+  for (const auto& [middle, u, v] : rectangles) {
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
+    faces.push_back({first, first + 1, first + 2});
+    faces.push_back({first, first + 2, first + 3});
+  }
+  return {std::move(vertices), std::move(faces)};
+}

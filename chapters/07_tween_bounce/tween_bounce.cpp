@@ -1,0 +1,254 @@
+// Chapter 7: tweens, and the fall and rebound of the paper's programs 1 to 3 (paper, 1.1 and 2.4.2).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "figures.hpp"
+#include "first_contact/motion/stepped_bounce.hpp"
+#include "first_contact/program/program.hpp"
+#include "flight.hpp"
+
+using namespace first_contact;
+using namespace first_contact::program;
+using tween_bounce::Flight;
+
+namespace {
+
+//! [scene]
+struct Scene {
+  double v0 = 50;  // downwards
+  double y0 = 25;
+  double g = 9.82;
+  double dt = 0.01;
+  long samples = 2000;
+  double restitution = 0.5;
+  std::string model = "printed";
+  std::string csv;
+
+  std::size_t count() const { return static_cast<std::size_t>(samples); }
+};
+//! [scene]
+
+std::string with_digits(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+PrintedMotion run_printed(const Scene& scene, double v0) {
+  return run(PrintedBounce{v0, scene.y0, scene.g, scene.dt, scene.count(), scene.restitution});
+}
+
+//! [report]
+// Program 1: the samples of the tween.
+void tell_plan(Report& report, const PrintedMotion& motion) {
+  const auto tops = apexes(motion);
+  const auto hit = [&](std::size_t i) { return std::to_string(motion.hits[i].sample); };
+  report.say({"Program 1: the path is planned, dy = v0 dt - g t dT sample by sample",
+              "程式 1：規劃移動補間的路徑，逐點計算 dy = vo dt - g t dT"});
+  report.row("y(1)", motion.y.front(), {"height at the start", "起始高度"});
+  if (motion.y.size() > 1)
+    report.row("y(2)", with_digits(motion.y[1], 8), {"one step later", "下一點的高度"});
+  if (!motion.hits.empty())
+    report.row("first i, y(i) < 0", hit(0), {"sample number, from 1", "第一次低於地面的點序"});
+  if (!tops.empty())
+    report.row("max y after it", with_digits(tops.front().height, 9),
+               {"top of the rebound, at t = " + readable(tops.front().time),
+                "反彈的最高點，t = " + readable(tops.front().time)});
+  if (motion.hits.size() > 1)
+    report.row("second i, y(i) < 0", hit(1), {"sample number", "第二次低於地面的點序"});
+  report.row("hits", std::to_string(motion.hits.size()),
+             {"in " + std::to_string(motion.y.size()) + " samples: at last every step is one",
+              std::to_string(motion.y.size()) + " 點中的碰撞次數：最後每一步都算一次"});
+}
+
+// Program 2: does the ball follow the plan?
+void tell_check(Report& report, const Flight& flight) {
+  report.say({"Program 2: the path is tested against the plan, a line, a curve and a line",
+              "程式 2：測試行進路線是否如規劃的直線與曲線"});
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, flight.impacts.size()); ++i) {
+    const std::string n = std::to_string(i + 1);
+    report.also({"  Hit " + n + " on the ground; after the 3rd it only moves along the ground",
+                 "  第" + n + "次碰撞地面; 第3次碰撞地面後,就只在地面移動了"});
+  }
+  const auto tween = tween_bounce::plan(flight);
+  if (!tween)
+    return report.also(
+        {"  There is no plan of a fall, a rebound and a floor.", "  沒有下降、反彈與地面的規劃"});
+  const auto off = tween_bounce::off_plan(flight, *tween);
+  report.row("off the line", off[0],
+             {"at most: the fall is not quite straight", "與直線的最大偏差：下降並非完全直線"});
+  report.row("off the curve", off[1],
+             {"at most: a parabola, drawn as a Bezier curve", "與 Bezier 曲線（拋物線）的最大偏差"});
+  report.row("off the floor", off[2], {"at most", "與地面的最大偏差"});
+  for (std::size_t leg = 0; leg < 2; ++leg)
+    if (const auto time = tween_bounce::meets_obstacle(*tween, leg))
+      report.row(leg == 0 ? "t, sweep along line" : "t, sweep along curve", *time,
+                 {"a ball of radius 1 meets the obstacle's top, y = -1", "半徑 1 的球碰到障礙物上緣 y = -1"});
+}
+
+// Program 3: fast down, slow up.
+void tell_speeds(Report& report, const Flight& flight) {
+  if (flight.impacts.size() < 2) return;
+  const double first = flight.impacts[0].time, second = flight.impacts[1].time;
+  report.say(
+      {"Program 3: the fall is fast, the rebound slow", "程式 3：下降速度較快，碰撞地面反彈後速度變慢"});
+  report.row("fall", first, {"time to the first hit", "第 1 次碰撞前的時間"});
+  report.row("rebound", second - first,
+             {"time from the first hit to the second", "第 1、2 次碰撞之間的時間"});
+}
+
+// What is wrong in the programs.
+void tell_printed(Report& report, const Scene& scene, const Flight& flight) {
+  report.say({"As printed: gravity brakes the fall, and its time counts from the start, not from the bounce",
+              "論文所印：重力使下降減速，且時間自起點而非自碰撞起算"});
+  if (!flight.impacts.empty()) {
+    report.row("t1", flight.impacts[0].time, {"first hit, to within dt", "第 1 次碰撞（誤差至 dt）"});
+    report.row("v1", flight.impacts[0].speed,
+               {"speed there; it was thrown down with " + readable(scene.v0),
+                "當時速度；拋下時為 " + readable(scene.v0)});
+  }
+  const PrintedMotion released = run_printed(scene, 0);
+  const std::size_t second =
+      std::min(released.y.size() - 1, static_cast<std::size_t>(std::min(1 / scene.dt, 1e9)));
+  report.row("y, let go with v0 = 0", released.y[second],
+             {"at t = " + readable(released.t[second]) + ": it rises",
+              "t = " + readable(released.t[second]) + " 時：球上升"});
+  report.row("rebounds", std::to_string(flight.apexes.size()),
+             {"then " + std::to_string(flight.impacts.size()) + " hits",
+              "共碰撞 " + std::to_string(flight.impacts.size()) + " 次"});
+}
+
+void tell_corrected(Report& report, const Scene& scene, const Bounce& bounce) {
+  report.say(
+      {"Corrected: each impact is solved for, y0 - v0 t - g t^2/2 = 0; it leaves e of the speed, e = " +
+           readable(scene.restitution),
+       "修正：解 y0 - v0 t - g t^2/2 = 0 得碰撞時間；碰撞後速度為 e 倍，e = " + readable(scene.restitution)});
+  for (std::size_t n = 1; n <= 3; ++n) {
+    const std::string i = std::to_string(n);
+    const auto landing = bounce.impact(n);
+    if (!landing) break;
+    report.row("t" + i + ", v" + i, readable(landing->time) + ", " + readable(landing->speed),
+               {"impact " + i + " and its speed", "第 " + i + " 次碰撞及其速度"});
+    if (const auto apex = bounce.apex(n))
+      report.row(
+          "h" + i, apex->height,
+          {"top of the rebound, at t = " + readable(apex->time), "反彈最高點，t = " + readable(apex->time)});
+  }
+  if (const auto rest = bounce.rest_time())
+    report.row("t1 + (2 v1/g) e/(1 - e)", *rest,
+               {"rest: infinitely many impacts before it (Zeno)", "靜止：此前碰撞無窮多次（Zeno）"});
+  else
+    report.row("rest", std::string("never"), {"it never comes to rest on the floor", "永不靜止於地面"});
+}
+
+// Energy after a minute, restitution 1: time steps against impacts that are solved for.
+void tell_energy(Report& report) {
+  report.say(
+      {"A ball dropped from 1 with e = 1, 60 pictures a second: how high does it bounce after a minute?",
+       "自高度 1 落下、e = 1、每秒 60 格：一分鐘後彈多高？"});
+  const auto peak = [&](Stepper stepper, const std::string& name, const Text& meaning) {
+    const auto states = stepped_bounce(stepper, 1, 9.81, 1, 1.0 / 60, 3600);
+    const auto lower = [](const Stepped& a, const Stepped& b) { return a.height < b.height; };
+    report.row(name, std::max_element(states.end() - 180, states.end(), lower)->height, meaning);
+  };
+  peak(Stepper::explicit_euler, "explicit Euler",
+       {"y += v dt, then v -= g dt", "先 y += v dt，再 v -= g dt"});
+  peak(Stepper::parabola, "exact parabolas", {"but each impact up to a step late", "但每次碰撞最多遲一格"});
+  peak(Stepper::semi_implicit_euler, "semi-implicit Euler",
+       {"v -= g dt, then y += v dt", "先 v -= g dt，再 y += v dt"});
+  report.row("solved at impacts", Bounce(1, 0, 9.81, 1).apex(66)->height, {"nothing drifts", "沒有漂移"});
+}
+
+// Two mistakes of tweens.
+void tell_tweens(Report& report) {
+  report.say({"Tweens that go wrong: speed by a curve's parameter, and a lerp by 0.1 a frame",
+              "補間的常見錯誤：以曲線參數當距離；每格 lerp 0.1"});
+  const ArcLength arch(tween_bounce::arch());
+  double slowest = 1e300, fastest = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double speed = at(derivative(arch.curve()), i / 1000.0).norm();
+    slowest = std::min(slowest, speed);
+    fastest = std::max(fastest, speed);
+  }
+  report.row("fastest/slowest", fastest / slowest,
+             {"along a Bezier arch by its parameter; 1 by its length, " + readable(arch.total()),
+              "沿 Bezier 拱的參數；依弧長 " + readable(arch.total()) + " 則為 1"});
+  const auto left = [](int frames) {
+    double x = 1;
+    for (int i = 0; i < frames; ++i) x = std::lerp(x, 0.0, 0.1);
+    return with_digits(100 * x, 2) + " %";
+  };
+  report.row("left after 1 s, lerp", left(30) + ", " + left(60),
+             {"at 30 and at 60 frames a second", "每秒 30 與 60 格"});
+  const double rate = -30 * std::log(0.9);
+  report.row("left after 1 s, damp", with_digits(100 * damp(1.0, 0.0, rate, 1.0), 2) + " %",
+             {"e^(-rate t), at any frame rate", "e^(-rate t)，與格速無關"});
+}
+//! [report]
+
+Json results(const Flight& flight) {
+  Json json;
+  json["impacts"] = Json::array();
+  for (const Landing& impact : flight.impacts)
+    json["impacts"].push_back({{"time", impact.time}, {"speed", impact.speed}});
+  json["apexes"] = Json::array();
+  for (const Apex& apex : flight.apexes)
+    json["apexes"].push_back({{"time", apex.time}, {"height", apex.height}});
+  json["rest_time"] = nullptr;
+  if (flight.rest_time) json["rest_time"] = *flight.rest_time;
+  return json;
+}
+
+void save(const std::string& file, const Flight& flight) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder)) throw Refused("must be in a folder that exists");
+  if (std::filesystem::is_directory(file)) throw Refused("must be a file, not a folder");
+  write_file(file, csv(flight));
+}
+
+std::string sample_count(double value) {
+  return value >= 1 && value <= 1e6 ? "" : "must be from 1 to 1000000";
+}
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("tween_bounce", "07_tween_bounce",
+                  "Tweens, and a ball that falls and rebounds (paper, 2.4.2).");
+  Scene scene;
+  program.option("--v0", scene.v0, "v", "speed at the start, positive downwards");
+  program.option("--y0", scene.y0, "y", "height at the start; the floor is at 0", not_negative);
+  program.option("--g", scene.g, "g", "gravity; without it the ball flies straight", not_negative);
+  program.option("--dt", scene.dt, "dt", "time from one sample to the next", positive);
+  program.option("--samples", scene.samples, "n", "number of samples", sample_count);
+  program.option("--restitution", scene.restitution, "e", "part of the speed that an impact leaves",
+                 at_most_one);
+  program.option("--model", scene.model, std::vector<std::string>{"printed", "physical"},
+                 "of the results, the file and figures 13 to 15");
+  program.option("--csv", scene.csv, "FILE", "write the samples there, columns t,y");
+  return program.run(argc, argv, [&] {
+    const auto motion = program.checked("--v0", [&] { return run_printed(scene, scene.v0); });
+    const auto bounce =
+        program.checked("--v0", [&] { return Bounce(scene.y0, scene.v0, scene.g, scene.restitution); });
+    const Flight printed = tween_bounce::printed_flight(motion);
+    const Flight physical = tween_bounce::physical_flight(bounce, scene.dt, scene.count());
+    const Flight& flight = scene.model == "printed" ? printed : physical;
+    if (!scene.csv.empty()) program.checked("--csv", [&] { save(scene.csv, flight); });
+
+    Report& report = program.report();
+    report.title({"A tween bounces: fast down, slow up", "移動補間動畫：下降快、反彈慢"}, "1.1, 2.4.2");
+    tell_plan(report, motion);
+    tell_check(report, printed);
+    tell_speeds(report, printed);
+    tell_printed(report, scene, printed);
+    tell_corrected(report, scene, bounce);
+    tell_energy(report);
+    tell_tweens(report);
+    program.json() = results(flight);
+    if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);
+  });
+}
+//! [main]

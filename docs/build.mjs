@@ -1,0 +1,40 @@
+// Builds the notes into build/notes/html: every program is run, the essays are woven, Doxygen makes the pages.
+import {existsSync, mkdirSync, rmSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {binaries, build, chapters, data, html, otherPages, stopIfWrong} from './tools/book.mjs';
+import {runDoxygen} from './tools/doxygen.mjs';
+import {finish} from './tools/finish.mjs';
+import {chapterFoot, chapterHead, chapterList, chapterMap} from './tools/generated.mjs';
+import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
+import {runNamed, runPrograms} from './tools/values.mjs';
+import {shown, weave} from './tools/weave.mjs';
+
+const pages = join(build, 'pages');
+rmSync(pages, {recursive: true, force: true});
+rmSync(html, {recursive: true, force: true});
+mkdirSync(pages, {recursive: true});
+
+runPrograms();
+for (const [name, line] of Object.entries(data('paper-map.json').runs))
+  if (existsSync(join(binaries, line.split(' ')[0]))) runNamed(name, line);
+
+const missing = chapters.filter((chapter) => !existsSync(chapter.source));
+for (const chapter of chapters) {
+  const title = `Chapter ${chapter.number} · ${chapter.title}`;
+  const rest = {id: chapter.id, chapter, title, head: chapterHead(chapter), foot: chapterFoot(chapter)};
+  const text = missing.includes(chapter) ? `# ${title} {#${chapter.id.replaceAll('_', '-')}}\n\nThis chapter is being written.\n`
+                                         : weave({...rest, source: chapter.source});
+  writeFileSync(join(pages, chapter.id + '.md'), text);
+}
+const generated = {map: chapterMap(), chapters: chapterList(), bibliography: bibliography(), 'paper-map': paperTable(), errata: errataTable()};
+for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated}));
+stopIfWrong('weaving the pages');
+
+runDoxygen();
+finish();
+writeFileSync(join(build, 'shown.json'), JSON.stringify({...shown, equations: [...shown.equations], cited: [...shown.cited],
+                                                         missing: missing.map(({folder}) => folder)}, null, 1));
+stopIfWrong('making the pages');
+for (const chapter of missing) console.error(`note: chapters/${chapter.folder} has no essay yet`);
+console.log(`The notes are in ${join('build/notes/html/index.html')}: ${chapters.length - missing.length} chapters, ` +
+            `${shown.figures.length} figures, ${shown.snippets.length} listings, ${shown.typed.length} numbers typed with a reason.`);

@@ -1,0 +1,25 @@
+// All checks of the notes, each in a file of its own under docs/checks. Exit status 1 and a line for each fault.
+//   node docs/check.mjs [twice|code|paper|links|browser ...]     without a name: all of them
+import {checkBrowser} from './checks/browser.mjs';
+import {checkCode} from './checks/code.mjs';
+import {checkEssays} from './checks/essays.mjs';
+import {checkLinks} from './checks/links.mjs';
+import {checkPaper} from './checks/paper.mjs';
+import {checkTwice} from './checks/twice.mjs';
+import {complaints, stopIfWrong} from './tools/book.mjs';
+
+const all = {twice: checkTwice, essays: checkEssays, code: checkCode, paper: checkPaper, links: checkLinks, browser: checkBrowser};
+const wanted = process.argv.slice(2);
+for (const name of wanted)
+  if (!all[name]) {
+    console.error(`check ${name}: must be one of ${Object.keys(all).join(' ')}`);
+    process.exit(2);
+  }
+
+for (const [name, check] of Object.entries(all)) {
+  if (wanted.length && !wanted.includes(name)) continue;
+  const before = complaints.length;
+  const said = await check();
+  console.log(`${name}: ${said}${complaints.length > before ? `; ${complaints.length - before} faults` : ''}`);
+}
+stopIfWrong('checking the notes');

@@ -1,0 +1,89 @@
+// Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
+// console, no formula in error, nothing wider than its page, text with enough contrast (WCAG AA).
+import {existsSync} from 'node:fs';
+import {basename, join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {chromium} from 'playwright-core';
+import {chapters, complain, filesBelow, html, otherPages} from '../tools/book.mjs';
+
+export const executable = () => process.env.CHROMIUM ??
+  ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+
+const views = [['light', 1280, 900], ['dark', 1280, 900], ['light', 390, 800]];
+const isOurs = (file) => file.endsWith('.html') && !file.includes('/search/');
+
+// Runs in the page.
+function faultsOfPage(wholeBook) {
+  const faults = [];
+  const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+  if (wholeBook && wide > 1) faults.push(`the page is ${wide} pixels too wide`);
+  for (const part of document.querySelectorAll('div.fragment, pre.output, pre.shell'))
+    if (part.offsetParent && part.scrollWidth > part.clientWidth + 1) faults.push(`code must be scrolled: ${part.textContent.trim().slice(0, 40)}`);
+  if (document.querySelector('[data-mml-node="merror"], mjx-merror, merror')) faults.push('a formula is in error');
+  for (const image of document.querySelectorAll('figure > svg'))
+    if (image.getAttribute('role') !== 'img' || !image.getAttribute('aria-label')) faults.push('a figure without alternative text');
+  if (document.querySelectorAll('main').length !== 1 || !document.querySelector('nav')) faults.push('a landmark is missing');
+  if (document.querySelectorAll('h1').length !== 1) faults.push(`${document.querySelectorAll('h1').length} titles`);
+
+  const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+  const rgba = (colour) => {
+    canvas.clearRect(0, 0, 1, 1);
+    canvas.fillStyle = colour;
+    canvas.fillRect(0, 0, 1, 1);
+    return [...canvas.getImageData(0, 0, 1, 1).data];
+  };
+  const luminance = ([r, g, b]) => [r, g, b].map((c) => c / 255).map((c) => c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (element) => {
+    for (let at = element; at; at = at.parentElement) {
+      const colour = rgba(getComputedStyle(at).backgroundColor);
+      if (colour[3] > 250) return colour;
+    }
+    return [255, 255, 255, 255];
+  };
+  const seen = new Set();
+  for (const element of document.querySelectorAll('main *, nav#contents *, header.site *')) {
+    if (!element.offsetParent || element.closest('svg') || ![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
+    if (element.closest('mjx-assistive-mml, .skip')) continue;
+    const style = getComputedStyle(element), key = style.color + getComputedStyle(element.parentElement).backgroundColor + element.tagName + element.className;
+    if (seen.has(key)) continue;
+    seen.add(key);
+    const [a, b] = [luminance(rgba(style.color)), luminance(behind(element))].sort((x, y) => y - x);
+    const contrast = (a + 0.05) / (b + 0.05), large = parseFloat(style.fontSize) >= 24;
+    if (contrast < (large ? 3 : 4.5)) faults.push(`contrast ${contrast.toFixed(1)}: ${element.tagName.toLowerCase()}.${element.className} "${element.textContent.trim().slice(0, 24)}"`);
+  }
+  return faults;
+}
+
+// One tab a view, that visits page after page; what it hears is about the page that is open.
+async function openTab(browser, [colorScheme, width, height]) {
+  const page = await browser.newPage({colorScheme, viewport: {width, height}});
+  let name = '';
+  page.on('console', (message) => { if (message.type() === 'error') complain(name, `console: ${message.text()}`); });
+  page.on('pageerror', (error) => complain(name, `error: ${error.message}`));
+  page.on('request', (request) => { if (!/^(file|data|about|javascript):/.test(request.url())) complain(name, `asks for ${request.url()}`); });
+  page.on('requestfailed', (request) => { if (request.url().startsWith('file:')) complain(name, `is not there: ${basename(request.url())}`); });
+  return async (file, wholeBook) => {
+    name = `${basename(file)} (${colorScheme}, ${width})`;
+    await page.goto(pathToFileURL(file).href);
+    for (const fault of await page.evaluate(faultsOfPage, wholeBook)) complain(name, fault);
+  };
+}
+
+export async function checkBrowser() {
+  const executablePath = executable();
+  if (!executablePath) {
+    complain('browser', 'there is no Chromium: install the package chromium, or name one in $CHROMIUM');
+    return 'not run';
+  }
+  const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--disable-gpu']});
+  const book = new Set([...chapters, ...otherPages].map(({page}) => page));
+  const pages = filesBelow(html, isOurs);
+  await Promise.all(views.map(async (view, i) => {
+    const visit = await openTab(browser, view);
+    for (const file of pages)
+      if (i === 0 || book.has(basename(file))) await visit(file, book.has(basename(file)));
+  }));
+  await browser.close();
+  return `${pages.length} pages`;
+}

@@ -1,0 +1,38 @@
+// Every chapter has its essay, in the one order: the question, a figure, mathematics, code, output, what goes wrong, as
+// printed and corrected, cost, exercises with folded answers, further reading.
+import {existsSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {build, chapters, complain, fromRoot, read} from '../tools/book.mjs';
+
+const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises', 'Further reading'];
+
+const parts = [
+  ['a figure', /^!\[/m], ['a numbered equation', /\\tag\{/], ['code', /^\\snippet /m], ['its output', /^\\output /m],
+  ['a looked-up number', /\{\{\w+[.@]/], ['a reference', /\[@/],
+];
+
+function checkEssay(chapter) {
+  const name = fromRoot(chapter.source), text = read(chapter.source);
+  let at = 0;
+  for (const heading of order) {
+    const found = text.indexOf(`\n## ${heading}\n`);
+    if (found < 0) complain(name, `there is no section "${heading}"`);
+    else if (found < at) complain(name, `the section "${heading}" comes too early`);
+    else at = found;
+  }
+  for (const [part, pattern] of parts)
+    if (!pattern.test(text)) complain(name, `there is no ${part}`);
+  const exercises = text.match(/^\*\*\d+\.\*\*/gm)?.length ?? 0, answers = text.match(/^<details>$/gm)?.length ?? 0;
+  if (exercises < 3) complain(name, `${exercises} exercises: there should be three at the least`);
+  if (exercises !== answers) complain(name, `${exercises} exercises, but ${answers} folded answers`);
+}
+
+export function checkEssays() {
+  for (const chapter of chapters) {
+    if (existsSync(chapter.source)) checkEssay(chapter);
+    else complain(fromRoot(chapter.source), 'is missing');
+  }
+  const typed = JSON.parse(readFileSync(join(build, 'shown.json'), 'utf8')).typed;
+  for (const {where, number, reason} of typed) console.log(`  ${where}: ${number} typed: ${reason}`);
+  return `${chapters.length} chapters, ${typed.length} numbers typed by hand with a reason`;
+}

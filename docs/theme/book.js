@@ -1,0 +1,46 @@
+// Light or dark, the contents on a phone, and a copy button at each listing. The pages read well without it.
+(() => {
+  const page = document.documentElement, wish = 'first-contact-theme';
+  const stored = () => { try { return localStorage.getItem(wish); } catch { return null; } };
+  const system = matchMedia('(prefers-color-scheme: dark)');
+  const isDark = () => (stored() ?? (system.matches ? 'dark' : 'light')) === 'dark';
+  const show = () => {
+    page.classList.toggle('dark-mode', isDark());
+    page.classList.toggle('light-mode', !isDark());
+    document.getElementById('theme')?.setAttribute('aria-pressed', String(isDark()));
+  };
+  show();
+  system.addEventListener('change', show);
+
+  const copyButton = (listing) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'copy';
+    button.textContent = 'Copy';
+    button.addEventListener('click', () => {
+      const lines = [...listing.querySelectorAll('.line')].map((line) => line.textContent.replace(/\u00a0/g, ' '));
+      navigator.clipboard?.writeText(lines.length ? lines.join('\n') : listing.textContent)
+          .then(() => { button.textContent = 'Copied'; setTimeout(() => { button.textContent = 'Copy'; }, 1500); });
+    });
+    const frame = document.createElement('div');
+    frame.className = 'with-copy';
+    listing.replaceWith(frame);
+    frame.append(listing, button);
+  };
+
+  addEventListener('DOMContentLoaded', () => {
+    show();
+    document.getElementById('theme').addEventListener('click', () => {
+      try { localStorage.setItem(wish, isDark() ? 'light' : 'dark'); } catch { /* then it lasts for this page alone */ }
+      show();
+    });
+    const open = document.getElementById('open-contents');
+    const toggle = (to) => {
+      document.body.classList.toggle('contents-open', to);
+      open.setAttribute('aria-expanded', String(document.body.classList.contains('contents-open')));
+    };
+    open.addEventListener('click', () => toggle());
+    addEventListener('keydown', (event) => { if (event.key === 'Escape') toggle(false); });
+    document.querySelectorAll('div.fragment, pre.output, pre.shell').forEach(copyButton);
+  });
+})();

@@ -1,0 +1,59 @@
+// What all tools share: where things are, the chapters, and the list of complaints.
+import {existsSync, readFileSync, readdirSync, statSync} from 'node:fs';
+import {dirname, join, relative, resolve} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const docs = join(root, 'docs');
+export const build = join(root, 'build/notes');
+export const html = join(build, 'html');
+export const binaries = join(root, 'build/dev/bin');
+
+export const read = (...parts) => readFileSync(join(...parts), 'utf8');
+export const data = (name) => JSON.parse(read(docs, name));
+export const fromRoot = (file) => relative(root, file);
+
+/// All files below a folder that pass, sorted, so that every build sees them in one order.
+export function filesBelow(folder, passes = () => true) {
+  if (!existsSync(folder)) return [];
+  return readdirSync(folder).sort().flatMap((name) => {
+    const path = join(folder, name);
+    if (statSync(path).isDirectory()) return filesBelow(path, passes);
+    return passes(path) ? [path] : [];
+  });
+}
+
+export const chapters = data('chapters.json').map((chapter) => ({
+  ...chapter,
+  id: chapter.program,
+  source: join(root, 'chapters', chapter.folder, chapter.program + '.md'),
+  page: chapter.program.replaceAll('_', '-') + '.html',
+}));
+
+/// The pages that are no chapters, in the order of the contents.
+export const otherPages = [
+  {id: 'index', title: 'First Contact', front: true},
+  {id: 'reading', title: 'How to read this', front: true},
+  {id: 'papermap', title: 'Paper map'},
+  {id: 'errata', title: 'Errata of the paper'},
+  {id: 'glossary', title: 'Glossary 詞彙'},
+  {id: 'symbols', title: 'Symbols'},
+  {id: 'bibliography', title: 'Bibliography'},
+].map((page) => ({...page, source: join(docs, 'pages', page.id + '.md'), page: page.id + '.html'}));
+
+export const escape = (text) =>
+  text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+
+export const complaints = [];
+/// Notes one fault; the build goes on to find the others, and fails at its end.
+export function complain(where, what) {
+  complaints.push(`${where}: ${what}`);
+}
+
+/// Prints what was found wrong and ends the program if there was anything.
+export function stopIfWrong(doing) {
+  if (!complaints.length) return;
+  for (const line of complaints) console.error(line);
+  console.error(`${doing}: ${complaints.length} fault${complaints.length > 1 ? 's' : ''}`);
+  process.exit(1);
+}

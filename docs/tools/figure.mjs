@@ -1,0 +1,61 @@
+// A committed figure becomes a part of its page: it then follows the page's theme and needs no file of its own.
+import {existsSync} from 'node:fs';
+import {join} from 'node:path';
+import {escape, read, root} from './book.mjs';
+
+const darkRules = new Set();  // of all figures that were inlined
+
+// [fill="#0072b2"]{fill:#58ace6}: what the figure itself says for a dark page.
+function takeDarkRules(svg) {
+  const style = /<style>([\s\S]*?)<\/style>/.exec(svg)?.[1] ?? '';
+  const dark = /@media \(prefers-color-scheme:dark\)\{([\s\S]*)\}\s*$/.exec(style)?.[1] ?? '';
+  for (const [rule] of dark.matchAll(/\[[a-z]+="[^"]*"\]\{[^}]*\}/g)) darkRules.add(rule);
+}
+
+function withoutUnused(svg) {
+  const used = (id) => svg.includes(`#${id}'`) || svg.includes(`#${id}"`) || svg.includes(`#${id})`);
+  for (let before = ''; before !== svg;) {
+    before = svg;
+    svg = svg.replace(/[ \t]*<(path|circle|rect|use|filter)\b[^>]*\bid=['"]([^'"]+)['"][^>]*(?:\/>|>[\s\S]*?<\/\1>)\s*/g,
+                      (whole, tag, id) => used(id) ? whole : '');
+  }
+  return svg;
+}
+
+function withOwnNames(svg, prefix) {
+  return svg.replace(/\bid=(['"])([^'"]+)\1/g, `id=$1${prefix}-$2$1`)
+      .replace(/\b((?:xlink:)?href|begin|end)=(['"])#?([A-Za-z][\w-]*)(?=[.'"])/g,
+               (whole, name, quote, id) => name === 'begin' || name === 'end' ? whole : `${name}=${quote}#${prefix}-${id}`)
+      .replace(/url\(#([^)]+)\)/g, `url(#${prefix}-$1)`);
+}
+
+/// The figure of that path (from the root) as inline SVG with its alternative text.
+export function inlineFigure(path, prefix, alternative) {
+  const file = join(root, path);
+  if (!existsSync(file)) throw new Error(`there is no figure ${path}`);
+  let svg = read(file);
+  takeDarkRules(svg);
+  const width = /<svg[^>]*?\bwidth="([\d.]+)/.exec(svg)?.[1] ?? '720';
+  svg = svg.replace(/^[\s\S]*?(?=<svg)/, '')
+      .replace(/<style>[\s\S]*?<\/style>\s*/, '')
+      .replace(/<title>[\s\S]*?<\/title>\s*/g, '').replace(/<desc>[\s\S]*?<\/desc>\s*/g, '')
+      .replace(/<rect x="0" y="0" width="[\d.]+" height="[\d.]+" fill="#ffffff"\/>\s*/i, '')  // the paper is the page
+      .replace(/<g [^>]*>\s*<\/g>\s*/g, '')
+      .replace(/\n\s*/g, '\n');
+  svg = withOwnNames(withoutUnused(svg), prefix);
+  return svg.replace(/<svg[^>]*?>/, (open) => {
+    const box = /viewBox="[^"]*"/.exec(open)[0];
+    return `<svg ${box} style="--width:${width}px" xmlns="http://www.w3.org/2000/svg" ` +
+           `xmlns:xlink="http://www.w3.org/1999/xlink" role="img" aria-label="${escape(alternative)}">`;
+  });
+}
+
+/// The colours of figures, each for a light page and a dark one.
+export function figureStyle() {
+  const rules = [...darkRules].sort().map((rule) => {
+    const [, name, light, dark] = /^\[([a-z]+)="([^"]*)"\]\{[a-z]+:([^}]*)\}/.exec(rule);
+    const paper = light === '#ffffff' ? 'var(--paper)' : `light-dark(${light}, ${dark})`;
+    return `figure svg [${name}="${light}"] { ${name}: ${paper}; }`;
+  });
+  return rules.join('\n') + '\n';
+}

@@ -1,0 +1,108 @@
+// What is made from data: the head and foot of a chapter, the contents, the map of chapters.
+import {chapters, escape, otherPages} from './book.mjs';
+
+const numbered = (number) => chapters.find((chapter) => chapter.number === number);
+const linkTo = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`;
+
+/// The same head for each chapter: minutes, what it builds on, the paper's section, how to run it.
+export function chapterHead(chapter) {
+  const needs = chapter.needs.length ? chapter.needs.map((n) => linkTo(numbered(n))).join(', ') : 'nothing';
+  const paper = chapter.paper.map((section) => `<a href="papermap.html#s${section}">§${section}</a>`).join(', ');
+  const facts = [['Reading time', `${chapter.minutes} minutes`], ['Builds on', needs], ['In the paper', paper],
+                 ['Program', `<code>./course run ${chapter.program}</code>`]];
+  return `<div class="chapter-head"><p class="chinese" lang="zh-Hant">${chapter.chinese}</p>` +
+         `<dl>${facts.map(([name, fact]) => `<div><dt>${name}</dt><dd>${fact}</dd></div>`).join('')}</dl></div>`;
+}
+
+/// Previous and next.
+export function chapterFoot(chapter) {
+  const previous = numbered(chapter.number - 1) ?? {page: 'reading.html', title: 'How to read this'};
+  const next = numbered(chapter.number + 1) ?? {page: 'errata.html', title: 'Errata of the paper'};
+  const label = (page) => (page.number ? `${page.number} · ` : '') + escape(page.title);
+  return `<nav class="turn" aria-label="Previous and next page"><a rel="prev" href="${previous.page}"><small>Previous</small>${label(previous)}</a>` +
+         `<a rel="next" href="${next.page}"><small>Next</small>${label(next)}</a></nav>`;
+}
+
+/// The contents beside every page; the sections of the page that is open stand under its name.
+export function contents(current, sections) {
+  const entry = (page, label) => {
+    const open = page.page === current;
+    const inner = open && sections.length
+      ? `<ul>${sections.map(({id, title}) => `<li><a href="#${id}">${title}</a></li>`).join('')}</ul>` : '';
+    return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>${inner}</li>`;
+  };
+  const list = (pages, label) => `<ul>${pages.map((page) => entry(page, label(page))).join('')}</ul>`;
+  const title = (page) => escape(page.title);
+  return list(otherPages.filter((page) => page.front), title) +
+         '<h2>Chapters</h2>' + list(chapters, (chapter) => `<span class="number">${chapter.number}</span> ${title(chapter)}`) +
+         '<h2>Reference</h2>' + list([...otherPages.filter((page) => !page.front),
+                                     {page: 'namespacefirst__contact.html', title: 'The library'}], title);
+}
+
+// --- the map of chapters ------------------------------------------------------------------------------------------
+
+const depth = (chapter) => 1 + Math.max(-1, ...chapter.needs.map((n) => depth(numbered(n))));
+
+// Rows by depth; within a row, chapters stand in the order of what they build on, so that few lines cross.
+function rowsOf() {
+  const rows = [];
+  for (const chapter of chapters) (rows[depth(chapter)] ??= []).push(chapter);
+  return rows;
+}
+
+function placed(width, card, gap) {
+  const places = new Map();
+  rowsOf().forEach((row, level) => {
+    const wanted = row.map((chapter) => chapter.needs.length && level > 1
+      ? chapter.needs.reduce((sum, n) => sum + places.get(n).x, 0) / chapter.needs.length : undefined);
+    const step = (width - card.width) / Math.max(1, row.length - 1);
+    row.forEach((chapter, i) => {
+      const even = row.length === 1 ? (width - card.width) / 2 : i * step;
+      places.set(chapter.number, {chapter, x: wanted[i] ?? even, y: level * (card.height + gap)});
+    });
+  });
+  return places;
+}
+
+function linesOf(text, most) {
+  const lines = [''];
+  for (const word of text.split(' ')) {
+    const longer = (lines.at(-1) + ' ' + word).trim();
+    if (longer.length > most && lines.at(-1)) lines.push(word);
+    else lines[lines.length - 1] = longer;
+  }
+  return lines;
+}
+
+function drawMap(name, width, card, gap) {
+  const places = placed(width, card, gap);
+  const height = Math.max(...[...places.values()].map(({y}) => y)) + card.height;
+  const edges = [], cards = [];
+  for (const {chapter, x, y} of places.values()) {
+    const middle = x + card.width / 2;
+    for (const n of chapter.needs) {
+      const from = places.get(n), start = from.x + card.width / 2, top = from.y + card.height;
+      edges.push(`<path d="M${start},${top} C${start},${top + gap * 0.6} ${middle},${y - gap * 0.6} ${middle},${y}"/>`);
+    }
+    const lines = linesOf(chapter.title, card.letters);
+    const first = y + card.number + card.line * 1.35;
+    cards.push(`<a href="${chapter.page}"><rect x="${x}" y="${y}" width="${card.width}" height="${card.height}" rx="7"/>` +
+      `<text class="number" x="${middle}" y="${y + card.number}" font-size="${card.number * 0.8}">${chapter.number}</text>` +
+      lines.map((line, i) => `<text x="${middle}" y="${first + i * card.line * 1.2}" font-size="${card.line}">${escape(line)}</text>`).join('') +
+      (card.chinese ? `<text class="chinese" lang="zh-Hant" x="${middle}" y="${y + card.height - 12}" font-size="13">${chapter.chinese}</text>` : '') +
+      '</a>');
+  }
+  return `<svg class="map ${name}" viewBox="-1 -1 ${width + 2} ${height + 2}" role="group" aria-label="Which chapter builds on which">` +
+         `<g class="edges" aria-hidden="true">${edges.join('')}</g>${cards.join('')}</svg>`;
+}
+
+/// The map, once for wide pages and once for narrow ones.
+export const chapterMap = () => '<div class="chapter-map">' +
+  drawMap('wide', 760, {width: 172, height: 92, number: 28, line: 17, letters: 18, chinese: true}, 54) +
+  drawMap('narrow', 360, {width: 84, height: 78, number: 24, line: 12, letters: 12}, 34) + '</div>';
+
+/// Every chapter in a line: number, title, question, minutes.
+export const chapterList = () => '<ol class="chapters">' + chapters.map((chapter) =>
+  `<li><a href="${chapter.page}"><span class="number">${chapter.number}</span><span class="title">${escape(chapter.title)}` +
+  ` <span class="chinese" lang="zh-Hant">${chapter.chinese}</span></span></a>` +
+  `<p>${escape(chapter.question)} <small>${chapter.minutes} minutes · paper ${chapter.paper.map((s) => '§' + s).join(', ')}</small></p></li>`).join('') + '</ol>';

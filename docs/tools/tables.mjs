@@ -1,0 +1,67 @@
+// The bibliography, the paper map and the errata: made from their data, which the checks read as well.
+import {chapters, data, escape} from './book.mjs';
+import {formula} from './formula.mjs';
+import {formatted, valueOf} from './values.mjs';
+import {prose} from './weave.mjs';
+
+export function bibliography() {
+  return data('references.json').map(({group, entries}) =>
+    `<h2>${escape(group)}</h2><dl class="references">` + entries.map(({key, label, text}) =>
+      `<div id="${key}"><dt>${escape(label)}</dt><dd>${prose(text, 'references.json')}</dd></div>`).join('') + '</dl>').join('');
+}
+
+// --- the paper map ------------------------------------------------------------------------------------------------
+
+const chapterOf = (number) => chapters.find((chapter) => chapter.number === number);
+const chapterLink = (number) => `<a href="${chapterOf(number).page}">${number} · ${escape(chapterOf(number).title)}</a>`;
+const names = (list, mark) => [list].flat().filter(Boolean).map((name) => `<${mark}>${escape(name)}</${mark}>`).join(mark === 'q' ? '' : ', ');
+
+function where(item) {
+  const figure = [item.figure].flat().filter(Boolean)
+      .map((path) => `<a href="${figurePage(path)}">${escape(path.split('/')[1])}</a>`).join(', ');
+  return `<dl class="where-found"><div><dt>chapter</dt><dd>${[item.chapter].flat().map(chapterLink).join(', ')}</dd></div>` +
+         `<div><dt>code</dt><dd>${names(item.function, 'code')}</dd></div>` +
+         `<div><dt>test</dt><dd>${names(item.test, 'q')}</dd></div>` +
+         (figure ? `<div><dt>figure</dt><dd>${figure}</dd></div>` : '') + '</dl>';
+}
+
+const figurePage = (path) => chapters.find(({folder}) => folder === path.split('/')[0])?.page ?? '#';
+
+function row(id, name, what, item) {
+  return `<div class="item" id="${id}"><h4>${name}</h4><div class="what">${what}</div>${where(item)}</div>`;
+}
+
+const text = (words) => `<p>${prose(words, 'paper-map.json')}</p>`;
+
+function printedNumber(item) {
+  let computed = '?';
+  try {
+    computed = formatted(valueOf(item.value));
+  } catch { /* the check says what is wrong */ }
+  return `<p>printed ${escape(item.printed.replace('-', '−'))}, computed <b>${computed}</b></p>`;
+}
+
+export function paperTable() {
+  const map = data('paper-map.json');
+  const part = (id, title, rows) => `<h2 id="${id}">${title}</h2><div class="items">${rows.join('')}</div>`;
+  return part('sections', 'Sections', map.sections.map((item) => row('s' + item.id, `§${item.id}`, text(item.says), item))) +
+         part('equations', 'Equations', map.equations.map((item) =>
+           row('e' + item.id, `(${item.id})`, formula(item.tex), item))) +
+         part('figures', 'Figures', map.figures.map((item) => row('f' + item.id, `Figure ${item.id}`, text(item.says), item))) +
+         part('listings', 'Listings', map.listings.map((item) => row('p' + item.id, `Program ${item.id}`, text(item.says), item))) +
+         part('numbers', 'Printed numbers', map.numbers.map((item, i) =>
+           row('n' + (i + 1), escape(item.of), printedNumber(item), item)));
+}
+
+// --- the errata ---------------------------------------------------------------------------------------------------
+
+export function errataTable() {
+  return '<div class="errata">' + data('errata.json').map((fault, i) => {
+    const say = (words) => `<p>${prose(words, 'errata.json')}</p>`;
+    return `<section id="erratum-${i + 1}"><h3>${i + 1}. ${prose(fault.title, 'errata.json')}</h3>` +
+           `<p class="place">${prose(fault.place, 'errata.json')}</p>` +
+           `<dl><div><dt>As printed</dt><dd>${say(fault.printed)}</dd></div>` +
+           `<div><dt>What happens</dt><dd>${say(fault.wrong)}</dd></div>` +
+           `<div><dt>Remedy</dt><dd>${say(fault.remedy)}</dd></div></dl>${where(fault)}</section>`;
+  }).join('') + '</div>';
+}

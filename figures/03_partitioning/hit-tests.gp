@@ -1,0 +1,262 @@
+# Draws hit-tests.svg; with -e "format='png'" (or 'pdf') and -e "theme='dark'" (or 'grey')
+# before the script's name, the other pictures.
+if (!exists("format")) format = "svg"
+if (!exists("theme")) theme = "light"
+if (theme eq "dark") {
+  PAPER = 0x15191C
+  INK = 0xDDE3E3
+  GREY = 0x9AA4A4
+  PALE = 0x3A4347
+  BLUE = 0x58ACE6
+  SKY = 0x7CC6F0
+  GREEN = 0x35C79B
+  RED = 0xFF8A3D
+  ORANGE = 0xF4B942
+  AMBER = 0xE3AB3C
+  PINK = 0xE59BC3
+  YELLOW = 0xE5DA4A
+  FLOOR = 0x22394A
+  SHADOW = 0x16262F
+  MIST = 0x1D2429
+} else {
+  PAPER = 0xFFFFFF
+  INK = 0x222222
+  GREY = 0x8A8A8A
+  PALE = 0xD9D9D9
+  BLUE = 0x0072B2
+  SKY = 0x56B4E9
+  GREEN = 0x009E73
+  RED = 0xD55E00
+  ORANGE = 0xE69F00
+  AMBER = 0xF4B942
+  PINK = 0xCC79A7
+  YELLOW = 0xF0E442
+  FLOOR = 0xCFE3F1
+  SHADOW = 0xB3CADB
+  MIST = 0xEEF3F6
+}
+# fade(c, a): colour c with opacity a.  tone(c): a shaded colour, in grey if the theme is.
+fade(c, a) = c + int((1 - a) * 255 + 0.5) * 16777216
+luminance(c) = int(0.299 * (c / 65536 & 255) + 0.587 * (c / 256 & 255) + 0.114 * (c & 255))
+tone(c) = theme eq "grey" ? (c & 0xFF000000) + luminance(c & 0xFFFFFF) * 65793 : c
+if (theme eq "grey") {
+  PAPER = 0xFFFFFF; INK = 0x222222
+  array hues[13] = [GREY, PALE, BLUE, SKY, GREEN, RED, ORANGE, AMBER, PINK, YELLOW, FLOOR, SHADOW, MIST]
+  do for [i = 1:13] { hues[i] = tone(hues[i]) }
+  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]; ORANGE = hues[7]
+  AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
+}
+if (format eq "svg") {
+  set terminal svg enhanced size 960,377 font "DejaVu Serif,17" rounded background rgb "#ffffff"
+} else { if (format eq "png") {
+  set terminal pngcairo enhanced size 1920,754 font "DejaVu Serif,17" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER
+} else {
+  set terminal pdfcairo enhanced size 10.000000,3.927083 font "DejaVu Serif,13" rounded background rgb PAPER
+} }
+set output "hit-tests." . format
+
+set encoding utf8
+set minussign
+set border 3 lw 1 lc rgb INK
+set tics nomirror out textcolor rgb INK scale 0.6
+set xlabel textcolor rgb INK
+set ylabel textcolor rgb INK
+set title textcolor rgb INK
+set key textcolor rgb INK
+set grid lc rgb PALE lw 0.6 lt 1
+unset grid
+set style line 1 lc rgb BLUE  lw 2.2
+set style line 2 lc rgb RED   lw 2.2
+set style line 3 lc rgb GREEN lw 2.2
+set style line 4 lc rgb PINK  lw 2.2
+set style line 10 lc rgb INK  lw 1.4
+set style line 11 lc rgb GREY lw 1.2 dt (6,5)
+set style arrow 1 head filled size screen 0.022,18,60 front lt 1 lc rgb RED  lw 2.4
+set style arrow 2 head filled size screen 0.022,18,60 front lt 1 lc rgb INK  lw 2.0
+set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
+set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
+unset border; unset tics; unset key; set size ratio -1
+set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
+set xrange [-0.552:14.352]
+set yrange [-1.602:4.252]
+set label "hitTestPoint({/:Italic x}, {/:Italic y}, false)" at 1.7,-0.55 center offset character 0,0 front tc rgb INK
+set label "true" at 1.7,-1.05 center offset character 0,0 front tc rgb RED
+set label "hitTestPoint({/:Italic x}, {/:Italic y}, true)" at 6.7,-0.55 center offset character 0,0 front tc rgb INK
+set label "false" at 6.7,-1.05 center offset character 0,0 front tc rgb GREEN
+set label "hitTestObject" at 11.9,-0.55 center offset character 0,0 front tc rgb INK
+set label "true" at 11.9,-1.05 center offset character 0,0 front tc rgb RED
+$s0 << EOD
+0 0
+3.4 0
+3.4 3.4
+0 3.4
+EOD
+$s1 << EOD
+0 0
+3.4 0
+3.4 3.4
+0 3.4
+0 0
+EOD
+$s2 << EOD
+5 0
+8.4 0
+8.4 3.4
+5 3.4
+EOD
+$s3 << EOD
+5 0
+8.4 0
+8.4 3.4
+5 3.4
+5 0
+EOD
+$s4 << EOD
+10 0
+13.4 0
+13.4 3.4
+10 3.4
+EOD
+$s5 << EOD
+10 0
+13.4 0
+13.4 3.4
+10 3.4
+10 0
+EOD
+$s6 << EOD
+11.2 1.4
+13.8 1.4
+13.8 3.7
+11.2 3.7
+EOD
+$s7 << EOD
+11.2 1.4
+13.8 1.4
+13.8 3.7
+11.2 3.7
+11.2 1.4
+EOD
+$s8 << EOD
+11.2 1.4
+13.4 1.4
+13.4 3.4
+11.2 3.4
+EOD
+$s9 << EOD
+11.2 1.4
+13.4 1.4
+13.4 3.4
+11.2 3.4
+11.2 1.4
+EOD
+$s10 << EOD
+0 0
+3.4 0
+0 3.4
+EOD
+$s11 << EOD
+0 0
+3.4 0
+0 3.4
+0 0
+EOD
+$s12 << EOD
+5 0
+8.4 0
+5 3.4
+EOD
+$s13 << EOD
+5 0
+8.4 0
+5 3.4
+5 0
+EOD
+$s14 << EOD
+10 0
+13.4 0
+10 3.4
+EOD
+$s15 << EOD
+10 0
+13.4 0
+10 3.4
+10 0
+EOD
+$s16 << EOD
+13.1 1.4
+13.8 1.4
+13.8 3.7
+11.2 3.7
+11.2 3
+13.1 3
+EOD
+$s17 << EOD
+13.1 1.4
+13.8 1.4
+13.8 3.7
+11.2 3.7
+11.2 3
+13.1 3
+13.1 1.4
+EOD
+$s18 << EOD
+2.35 2.05
+2.35 1.43
+2.49 1.56
+2.59 1.34
+2.68 1.38
+2.58 1.6
+2.77 1.62
+EOD
+$s19 << EOD
+2.35 2.05
+2.35 1.43
+2.49 1.56
+2.59 1.34
+2.68 1.38
+2.58 1.6
+2.77 1.62
+2.35 2.05
+EOD
+$s20 << EOD
+7.35 2.05
+7.35 1.43
+7.49 1.56
+7.59 1.34
+7.68 1.38
+7.58 1.6
+7.77 1.62
+EOD
+$s21 << EOD
+7.35 2.05
+7.35 1.43
+7.49 1.56
+7.59 1.34
+7.68 1.38
+7.58 1.6
+7.77 1.62
+7.35 2.05
+EOD
+plot $s0 with filledcurves closed fc rgb fade(AMBER,0.3) fs solid noborder notitle, \
+ $s1 with lines lc rgb ORANGE lw 1.4 dt (6,5) notitle, \
+ $s2 with filledcurves closed fc rgb MIST fs solid noborder notitle, \
+ $s3 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
+ $s4 with filledcurves closed fc rgb MIST fs solid noborder notitle, \
+ $s5 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
+ $s6 with filledcurves closed fc rgb MIST fs solid noborder notitle, \
+ $s7 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
+ $s8 with filledcurves closed fc rgb fade(AMBER,0.3) fs solid noborder notitle, \
+ $s9 with lines lc rgb ORANGE lw 1.4 dt (6,5) notitle, \
+ $s10 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
+ $s11 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
+ $s12 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
+ $s13 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
+ $s14 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
+ $s15 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
+ $s16 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
+ $s17 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
+ $s18 with filledcurves closed fc rgb PAPER fs solid noborder notitle, \
+ $s19 with lines lc rgb INK lw 1.4 dt solid notitle, \
+ $s20 with filledcurves closed fc rgb PAPER fs solid noborder notitle, \
+ $s21 with lines lc rgb INK lw 1.4 dt solid notitle
