@@ -40,7 +40,8 @@ Moving<Sphere> cast(const Mesh& mesh, Kind kind, Random& random, double unit) {
   const Vector d = direction(random);
   if (aimed) {  // at the target, or past it at a distance of just about r
     const double length = unit * log_uniform(random, 1, 8);
-    const Vector beside = random() % 4 ? Vector(Vector::Zero()) : Vector(r * d.cross(direction(random)).normalized());
+    const Vector beside =
+        random() % 4 ? Vector(Vector::Zero()) : Vector(r * d.cross(direction(random)).normalized());
     const double part = uniform(random, 0.3, 0.9);
     return {Sphere{p + beside - part * length * d, r}, length * d};
   }
@@ -48,7 +49,8 @@ Moving<Sphere> cast(const Mesh& mesh, Kind kind, Random& random, double unit) {
                         : kind == Kind::hop ? unit * log_uniform(random, 0.05, 0.5)
                                             : unit * log_uniform(random, 5, 60);
   const Vector away(0, 0, 1);  // start above the surface, apart from it more often than not
-  const double height = r * uniform(random, 0.8, 1.5) + (kind == Kind::length ? unit * uniform(random, 0, 4) : 0);
+  const double height =
+      r * uniform(random, 0.8, 1.5) + (kind == Kind::length ? unit * uniform(random, 0, 4) : 0);
   Vector v = d;
   if (v.z() > 0 && random() % 4) v.z() = -v.z();
   return {Sphere{p + height * away, r}, length * v};
@@ -82,15 +84,20 @@ Mesh terrain(std::uint32_t n, std::uint64_t seed) {
 
 const char* to_string(Kind kind) {
   switch (kind) {
-    case Kind::micro: return "micro";
-    case Kind::hop: return "hop";
-    case Kind::length: return "long";
-    case Kind::aimed: return "aimed";
+    case Kind::micro:
+      return "micro";
+    case Kind::hop:
+      return "hop";
+    case Kind::length:
+      return "long";
+    case Kind::aimed:
+      return "aimed";
   }
   return "";
 }
 
-std::vector<Moving<Sphere>> casts(const Mesh& mesh, Kind kind, std::size_t count, std::uint64_t seed, double unit) {
+std::vector<Moving<Sphere>> casts(const Mesh& mesh, Kind kind, std::size_t count, std::uint64_t seed,
+                                  double unit) {
   Random random(seed);
   std::vector<Moving<Sphere>> result;
   result.reserve(count);

@@ -6,8 +6,8 @@
 #include "first_contact/partition/plain_bvh.hpp"
 
 /// \file
-/// What the fast sweep is measured against: the plain tree with the sweep of a textbook, in doubles. It finds the time and
-/// the triangle and nothing else, and its tolerances are none.
+/// What the fast sweep is measured against: the plain tree with the sweep of a textbook, in doubles. It finds
+/// the time and the triangle and nothing else, and its tolerances are none.
 
 namespace yardstick {
 

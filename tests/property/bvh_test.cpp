@@ -28,8 +28,8 @@ Vector vector(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-/// A mesh of the kinds that trouble: loose triangles, slivers, duplicates, a grid whose vertices are on whole numbers, a patch
-/// with T-junctions, degenerate triangles, a flat floor.
+/// A mesh of the kinds that trouble: loose triangles, slivers, duplicates, a grid whose vertices are on whole
+/// numbers, a patch with T-junctions, degenerate triangles, a flat floor.
 Mesh troublesome(Random& random, double size, const Vector& offset) {
   std::vector<Point> points;
   std::vector<Mesh::Face> faces;
@@ -59,11 +59,21 @@ Mesh troublesome(Random& random, double size, const Vector& offset) {
     const Point a = vector(random, 1), b = a + vector(random, 0.3), c = a + vector(random, 0.3);
     const auto whole = [&] { return Point(vector(random, 3).array().round() / 3); };
     switch (kind) {
-      case 0: add(a, b, c); break;
-      case 1: add(a, b, a + uniform(random, 0, 1) * (b - a) + vector(random, 1e-12)); break;  // slivers
-      case 2: add(a, b, c); add(b, c, a); add(c, b, a); break;                                // duplicates
-      case 3: add(whole(), whole(), whole()); break;                                          // degenerate, crossing
-      default: {                                                                              // T-junctions
+      case 0:
+        add(a, b, c);
+        break;
+      case 1:
+        add(a, b, a + uniform(random, 0, 1) * (b - a) + vector(random, 1e-12));
+        break;  // slivers
+      case 2:
+        add(a, b, c);
+        add(b, c, a);
+        add(c, b, a);
+        break;  // duplicates
+      case 3:
+        add(whole(), whole(), whole());
+        break;    // degenerate, crossing
+      default: {  // T-junctions
         const Point m = a + uniform(random, 0, 1) * (b - a);
         add(a, b, c);
         add(a, m, a + b - c);
@@ -79,7 +89,8 @@ Moving<Sphere> cast(Random& random, const Mesh& mesh, double size) {
   const double r = random() % 8 ? size * std::exp(uniform(random, -5, 0)) : 0;
   const Point target = random() % 3 == 0 ? t.a : Point(t.a + uniform(random, 0, 1) * (t.b - t.a));
   Vector v = vector(random, size * std::exp(uniform(random, -3, 2)));
-  if (random() % 4 == 0) v = size / 4 * Vector(vector(random, 2).array().round());  // along the axes, or at rest
+  if (random() % 4 == 0)
+    v = size / 4 * Vector(vector(random, 2).array().round());  // along the axes, or at rest
   const double height = random() % 3 ? r * uniform(random, 0.5, 2) : r;
   const Vector away = random() % 2 ? Vector(0, 0, height) : vector(random, height);
   return {Sphere{target + away - uniform(random, 0, 1) * v, r}, v};
@@ -87,8 +98,8 @@ Moving<Sphere> cast(Random& random, const Mesh& mesh, double size) {
 
 bool same(const std::optional<Contact>& a, const std::optional<Contact>& b) {
   if (a.has_value() != b.has_value()) return false;
-  return !a || (a->time == b->time && a->points == b->points && a->normal == b->normal && a->feature == b->feature &&
-                a->triangle == b->triangle);
+  return !a || (a->time == b->time && a->points == b->points && a->normal == b->normal &&
+                a->feature == b->feature && a->triangle == b->triangle);
 }
 
 Mesh shuffled(const Mesh& mesh, Random& random, std::vector<std::uint32_t>& order) {
@@ -111,11 +122,14 @@ std::string told(const std::optional<Contact>& c) {
 
 }  // namespace
 
-TEST_CASE("The tree, plain or fast, on any instruction set, answers what all triangles together answer, bit for bit") {
+TEST_CASE(
+    "The tree, plain or fast, on any instruction set, answers what all triangles together answer, bit for "
+    "bit") {
   const std::uint64_t seed = GENERATE(range(1u, 400u));
   Random random(seed);
   const double size = std::pow(10.0, static_cast<double>(random() % 13) - 6);
-  const Mesh mesh = troublesome(random, size, random() % 3 ? Vector(Vector::Zero()) : vector(random, 1000 * size));
+  const Mesh mesh =
+      troublesome(random, size, random() % 3 ? Vector(Vector::Zero()) : vector(random, 1000 * size));
   const Environment environment(mesh);
   const PlainBvh plain(mesh);
   const Bvh fast(mesh);
@@ -124,7 +138,8 @@ TEST_CASE("The tree, plain or fast, on any instruction set, answers what all tri
   for (int i = 0; i < 100; ++i) {
     casts.push_back(cast(random, mesh, size));
     expected.push_back(sweep(casts.back(), environment));
-    CAPTURE(seed, i, told(expected.back()), told(sweep(casts.back(), plain)), told(sweep(casts.back(), fast)));
+    CAPTURE(seed, i, told(expected.back()), told(sweep(casts.back(), plain)),
+            told(sweep(casts.back(), fast)));
     REQUIRE(same(sweep(casts.back(), plain), expected.back()));
     REQUIRE(same(sweep(casts.back(), fast), expected.back()));
     REQUIRE(same(bvh::sweep(casts.back(), fast, bvh::portable_walker), expected.back()));
@@ -153,7 +168,8 @@ TEST_CASE("A scene scaled by a power of two gives the scaled answer of the tree,
   }
 }
 
-TEST_CASE("The answer does not depend on the order of the triangles; of several touched ones it is the first") {
+TEST_CASE(
+    "The answer does not depend on the order of the triangles; of several touched ones it is the first") {
   const std::uint64_t seed = GENERATE(range(1u, 100u));
   Random random(seed);
   const Mesh mesh = troublesome(random, 1, Vector::Zero());

@@ -52,16 +52,23 @@ void add_loose(Loose& mesh, int kind, Random& random) {
   const Point a = inside_cube(random, 1), b = a + inside_cube(random, 0.4), c = a + inside_cube(random, 0.4);
   const auto whole = [&] { return Point(inside_cube(random, 3).array().round() / 3); };
   switch (kind) {
-    case 2: return mesh.add(a, b, c);
-    case 3: return mesh.add(a, b, a + uniform(random, 0, 1) * (b - a) + inside_cube(random, log_uniform(random, 1e-16, 1e-2)));
-    case 4: mesh.add(a, b, c); mesh.add(c, b, a); return mesh.add(b, c, a);
+    case 2:
+      return mesh.add(a, b, c);
+    case 3:
+      return mesh.add(
+          a, b, a + uniform(random, 0, 1) * (b - a) + inside_cube(random, log_uniform(random, 1e-16, 1e-2)));
+    case 4:
+      mesh.add(a, b, c);
+      mesh.add(c, b, a);
+      return mesh.add(b, c, a);
     case 5: {
       const Point middle = a + uniform(random, 0, 1) * (b - a), d = a + b - c;
       mesh.add(a, b, c);
       mesh.add(a, middle, d);
       return mesh.add(middle, b, d);
     }
-    default: return mesh.add(whole(), whole(), whole());
+    default:
+      return mesh.add(whole(), whole(), whole());
   }
 }
 
@@ -81,12 +88,14 @@ Mesh fan(Random& random) {
 }  // namespace
 
 const char* name(int kind) {
-  constexpr std::array names{"bumpy", "flat", "loose", "slivers", "duplicates", "T-junctions", "degenerate", "fan"};
+  constexpr std::array names{"bumpy",      "flat",        "loose",      "slivers",
+                             "duplicates", "T-junctions", "degenerate", "fan"};
   return names[static_cast<std::size_t>(kind)];
 }
 
 Mesh surface(int kind, Random& random) {
-  if (kind == 0) return grid(2 + static_cast<std::uint32_t>(random() % 12), log_uniform(random, 1e-6, 0.3), random);
+  if (kind == 0)
+    return grid(2 + static_cast<std::uint32_t>(random() % 12), log_uniform(random, 1e-6, 0.3), random);
   if (kind == 1) return grid(2 + static_cast<std::uint32_t>(random() % 12), 0, random);
   if (kind == 7) return fan(random);
   Loose mesh;
@@ -110,14 +119,15 @@ Moving<Sphere> cast(const Mesh& mesh, int aim, Random& random) {
   const double size = std::max((t.b - t.a).norm(), (t.c - t.a).norm()) + 1e-300;
   const double r = size * log_uniform(random, 1e-3, 10), length = size * log_uniform(random, 1e-2, 30);
   const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
-  const Point target = aim == 0   ? t.a
-                       : aim < 4  ? Point(t.a + u * (t.b - t.a))
-                                  : Point(t.a + u * (t.b - t.a) + v * (t.c - t.a));
+  const Point target = aim == 0  ? t.a
+                       : aim < 4 ? Point(t.a + u * (t.b - t.a))
+                                 : Point(t.a + u * (t.b - t.a) + v * (t.c - t.a));
   const Vector d = direction(random), n = t.area_vector().stableNormalized();
   Vector beside = Vector::Zero();
   if (aim == 2) beside = r * (random() % 2 ? n : Vector(-n));  // the lowest point comes down on the seam
   if (aim == 3)  // past it, at a distance of r but for a few roundings, or a little more
-    beside = r * (1 + log_uniform(random, 1e-17, 1e-9) * (random() % 2 ? 1 : -1)) * d.cross(direction(random)).normalized();
+    beside = r * (1 + log_uniform(random, 1e-17, 1e-9) * (random() % 2 ? 1 : -1)) *
+             d.cross(direction(random)).normalized();
   return {Sphere{target + beside - uniform(random, -0.1, 1) * length * d, r}, length * d};
 }
 

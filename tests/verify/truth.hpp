@@ -11,10 +11,10 @@
 /// \file
 /// When does a moving sphere touch a mesh? By bisection in long double, without any formula of the library.
 ///
-/// The distance of a triangle from a point that moves along a straight line first falls and then rises. So its least value is
-/// where it turns, and the time at which it falls to r lies before that: both are found by halving. Numbers of 64 bits
-/// are wrong by 1e-19 of a length, four thousand times less than the bounds that are verified with them;
-/// tests/oracle holds the same method to 50 digits.
+/// The distance of a triangle from a point that moves along a straight line first falls and then rises. So
+/// its least value is where it turns, and the time at which it falls to r lies before that: both are found by
+/// halving. Numbers of 64 bits are wrong by 1e-19 of a length, four thousand times less than the bounds that
+/// are verified with them; tests/oracle holds the same method to 50 digits.
 
 namespace truth {
 
@@ -58,7 +58,9 @@ class ToTriangle {
 class Approach {
  public:
   Approach(const Triangle& triangle, const Moving<Sphere>& moving)
-      : triangle_(triangle), start_(moving.shape.center.cast<Real>()), travel_(moving.displacement.cast<Real>()) {
+      : triangle_(triangle),
+        start_(moving.shape.center.cast<Real>()),
+        travel_(moving.displacement.cast<Real>()) {
     const auto falling = [&](Real t) { return to_triangle(t).dot(travel_) > 0; };
     turn_ = !falling(0) ? 0 : falling(1) ? 1 : last(falling, 0, 1);
   }

@@ -1,4 +1,5 @@
-/// The long test: sweeps of the fast tree against the truth, a million casts as a rule, aimed at where sweeps go wrong.
+/// The long test: sweeps of the fast tree against the truth, a million casts as a rule, aimed at where sweeps
+/// go wrong.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -22,7 +23,8 @@ namespace {
 constexpr int casts_per_surface = 200;
 
 struct Tally {
-  std::uint64_t casts = 0, hits = 0, at_start = 0, grazes = 0, misses = 0, ghosts = 0, inexact = 0, unlike = 0;
+  std::uint64_t casts = 0, hits = 0, at_start = 0, grazes = 0, misses = 0, ghosts = 0, inexact = 0,
+                unlike = 0;
   double worst = 0;  // how far outside the radius's bound an answer would be true, in bounds
   void add(const Tally& t) {
     casts += t.casts, hits += t.hits, at_start += t.at_start, grazes += t.grazes, misses += t.misses;
@@ -47,10 +49,12 @@ double bound(const Mesh& mesh, const Moving<Sphere>& moving) {
       corner = std::max(corner, (p - moving.shape.center).norm());
       side = std::max(side, (q - p).norm());
     }
-  return 16 * std::numeric_limits<double>::epsilon() * (corner + side + moving.displacement.norm() + moving.shape.radius);
+  return 16 * std::numeric_limits<double>::epsilon() *
+         (corner + side + moving.displacement.norm() + moving.shape.radius);
 }
 
-void judge(const Mesh& mesh, const Moving<Sphere>& moving, const std::optional<Contact>& contact, Tally& tally) {
+void judge(const Mesh& mesh, const Moving<Sphere>& moving, const std::optional<Contact>& contact,
+           Tally& tally) {
   const double delta = bound(mesh, moving);
   const auto [earliest, latest] = truth::first_times(mesh, moving, delta);
   tally.hits += contact.has_value();
@@ -68,7 +72,9 @@ void judge(const Mesh& mesh, const Moving<Sphere>& moving, const std::optional<C
   truth::Real distance = std::numeric_limits<truth::Real>::infinity();
   for (std::size_t i = 0; i < mesh.size(); ++i)
     distance = std::min(distance, truth::Approach(mesh.triangle(i), moving).distance(t));
-  if (latest) tally.worst = std::max(tally.worst, static_cast<double>(std::abs(distance - truth::Real(moving.shape.radius)) / delta));
+  if (latest)
+    tally.worst = std::max(
+        tally.worst, static_cast<double>(std::abs(distance - truth::Real(moving.shape.radius)) / delta));
 }
 
 /// One surface and some casts at it.
@@ -76,12 +82,14 @@ void verify(std::uint64_t seed, int kind, std::array<Tally, surfaces::aims>& tal
   surfaces::Random random(seed);
   const double exponent = static_cast<double>(random() % 13) - 6;
   const double size = std::pow(10.0, exponent);
-  const Vector offset = random() % 2 ? Vector(Vector::Zero()) : Vector(size * std::pow(10.0, random() % 4) * Vector(1, -0.7, 0.3));
+  const Vector offset = random() % 2 ? Vector(Vector::Zero())
+                                     : Vector(size * std::pow(10.0, random() % 4) * Vector(1, -0.7, 0.3));
   const Mesh mesh = surfaces::moved(surfaces::surface(kind, random), size, offset);
   const Bvh fast(mesh);
   const PlainBvh plain(mesh);
   std::vector<Moving<Sphere>> casts;
-  for (int i = 0; i < casts_per_surface; ++i) casts.push_back(surfaces::cast(mesh, i % surfaces::aims, random));
+  for (int i = 0; i < casts_per_surface; ++i)
+    casts.push_back(surfaces::cast(mesh, i % surfaces::aims, random));
   std::vector<std::optional<Contact>> together(casts.size());
   sweep(casts, fast, together);
   for (std::size_t i = 0; i < casts.size(); ++i) {
@@ -94,7 +102,8 @@ void verify(std::uint64_t seed, int kind, std::array<Tally, surfaces::aims>& tal
     const Tally before = tally;
     judge(mesh, casts[i], contact, tally);
     if (before.good() && !tally.good())
-      std::printf("wrong: surface %s, seed %llu, cast %zu\n", surfaces::name(kind), static_cast<unsigned long long>(seed), i);
+      std::printf("wrong: surface %s, seed %llu, cast %zu\n", surfaces::name(kind),
+                  static_cast<unsigned long long>(seed), i);
   }
 }
 
@@ -117,20 +126,22 @@ int main(int argc, char** argv) {
       std::array<Tally, surfaces::aims> tallies{};
       verify(seed + i, kind, tallies);
       const std::lock_guard lock(mutex);
-      for (std::size_t aim = 0; aim < tallies.size(); ++aim) total[static_cast<std::size_t>(kind)][aim].add(tallies[aim]);
+      for (std::size_t aim = 0; aim < tallies.size(); ++aim)
+        total[static_cast<std::size_t>(kind)][aim].add(tallies[aim]);
     }
   };
   bvh::in_parallel_copies(std::max(1u, std::thread::hardware_concurrency()), work);
 
   Tally all;
-  std::printf("%-12s %-9s %9s %9s %9s %7s %7s %7s %8s %7s %6s\n", "surface", "aimed at", "casts", "hits", "at start", "grazes",
-              "missed", "false", "inexact", "unlike", "worst");
+  std::printf("%-12s %-9s %9s %9s %9s %7s %7s %7s %8s %7s %6s\n", "surface", "aimed at", "casts", "hits",
+              "at start", "grazes", "missed", "false", "inexact", "unlike", "worst");
   const auto row = [](const char* surface, const char* aim, const Tally& t) {
     std::printf("%-12s %-9s %9llu %9llu %9llu %7llu %7llu %7llu %8llu %7llu %6.3f\n", surface, aim,
                 static_cast<unsigned long long>(t.casts), static_cast<unsigned long long>(t.hits),
                 static_cast<unsigned long long>(t.at_start), static_cast<unsigned long long>(t.grazes),
                 static_cast<unsigned long long>(t.misses), static_cast<unsigned long long>(t.ghosts),
-                static_cast<unsigned long long>(t.inexact), static_cast<unsigned long long>(t.unlike), t.worst);
+                static_cast<unsigned long long>(t.inexact), static_cast<unsigned long long>(t.unlike),
+                t.worst);
   };
   for (int kind = 0; kind < surfaces::kinds; ++kind)
     for (int aim = 0; aim < surfaces::aims; ++aim) {
@@ -139,8 +150,11 @@ int main(int argc, char** argv) {
       all.add(t);
     }
   row("all", "", all);
-  std::printf("missed, false: against the bound; inexact: t outside the times for r + bound and r - bound; unlike: the fast tree on\n"
-              "this machine's instructions, on portable ones, in a batch, and the plain tree do not agree to the last bit;\n"
-              "worst: | distance at t - r |, in bounds.\n");
+  std::printf(
+      "missed, false: against the bound; inexact: t outside the times for r + bound and r - bound; unlike: "
+      "the fast tree on\n"
+      "this machine's instructions, on portable ones, in a batch, and the plain tree do not agree to the "
+      "last bit;\n"
+      "worst: | distance at t - r |, in bounds.\n");
   return all.good() ? 0 : 1;
 }

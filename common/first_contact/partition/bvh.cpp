@@ -10,8 +10,7 @@
 
 namespace first_contact {
 
-Bvh::Parts::Parts(Mesh surface)
-    : mesh(std::move(surface)), space(mesh), neighbours(mesh) {
+Bvh::Parts::Parts(Mesh surface) : mesh(std::move(surface)), space(mesh), neighbours(mesh) {
   bvh::BinaryTree binary;
   if (mesh.size() > 0) binary = bvh::split(mesh, space, neighbours);
   packed = bvh::pack(binary, mesh, space, neighbours);
@@ -37,7 +36,8 @@ std::size_t Bvh::bytes() const {
 
 const bvh::Walker& bvh::best_walker() {
 #if defined(__x86_64__)
-  static const bool has_avx2 = avx2_walker.next && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  static const bool has_avx2 =
+      avx2_walker.next && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   return has_avx2 ? avx2_walker : portable_walker;
 #else
   return portable_walker;

@@ -57,12 +57,15 @@ void PlainBvh::grow(std::vector<Box>& boxes, std::uint32_t number) {
 }
 
 //! [cut_plain_bvh]
-/// Orders the triangles of a node so that the first ones, whose number it gives, are on one side of the best of 15 cuts along
-/// each axis. The chance that a path through the node meets a part of it is about the ratio of their surfaces; so
-/// surface times number of triangles, of both sides, is the work to expect (the surface area heuristic).
+/// Orders the triangles of a node so that the first ones, whose number it gives, are on one side of the best
+/// of 15 cuts along each axis. The chance that a path through the node meets a part of it is about the ratio
+/// of their surfaces; so surface times number of triangles, of both sides, is the work to expect (the surface
+/// area heuristic).
 std::uint32_t PlainBvh::cut(const std::vector<Box>& boxes, const Node& node) {
   const auto begin = order_.begin() + node.first, end = begin + node.count;
-  const auto middle = [&](std::uint32_t triangle) { return Point(boxes[triangle].low / 2 + boxes[triangle].high / 2); };
+  const auto middle = [&](std::uint32_t triangle) {
+    return Point(boxes[triangle].low / 2 + boxes[triangle].high / 2);
+  };
   Box middles;
   for (auto i = begin; i != end; ++i) middles.add({middle(*i), middle(*i)});
   const Vector extent = middles.high - middles.low;
@@ -99,7 +102,8 @@ std::uint32_t PlainBvh::cut(const std::vector<Box>& boxes, const Node& node) {
     }
   }
   if (least_cost == infinite) return node.count / 2;  // all in one place
-  const auto above = std::partition(begin, end, [&](std::uint32_t i) { return bin_of(i, best_axis) <= best_bin; });
+  const auto above =
+      std::partition(begin, end, [&](std::uint32_t i) { return bin_of(i, best_axis) <= best_bin; });
   return static_cast<std::uint32_t>(above - begin);
 }
 //! [cut_plain_bvh]
@@ -117,14 +121,15 @@ PlainBvh::Path::Path(const Moving<Sphere>& moving)
 }
 
 //! [entry_plain_bvh]
-/// When the centre enters the box grown by the radius, in [0, latest]; infinite if it does not (the slab test of Kay and
-/// Kajiya). Grown again by what is rounded; an axis along which nothing moves gives infinite times of the right
-/// signs, or 0 times infinity if the start is just on the border, which excludes nothing.
+/// When the centre enters the box grown by the radius, in [0, latest]; infinite if it does not (the slab test
+/// of Kay and Kajiya). Grown again by what is rounded; an axis along which nothing moves gives infinite times
+/// of the right signs, or 0 times infinity if the start is just on the border, which excludes nothing.
 double PlainBvh::Path::entry(const Box& box, double latest) const {
   double enter = 0, leave = latest;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double grown = radius + rounding * std::max(std::abs(box.low[i]), std::abs(box.high[i]));
-    const double low = (box.low[i] - grown - start[i]) * inverse[i], high = (box.high[i] + grown - start[i]) * inverse[i];
+    const double low = (box.low[i] - grown - start[i]) * inverse[i],
+                 high = (box.high[i] + grown - start[i]) * inverse[i];
     const double first = inverse[i] < 0 ? high : low, last = inverse[i] < 0 ? low : high;
     if (first > enter) enter = first;
     if (last < leave) leave = last;

@@ -12,10 +12,12 @@
 
 namespace first_contact {
 
-/// A binary tree of boxes (bounding volume hierarchy) over the triangles of a mesh: for reading, and to test bvh.hpp against.
+/// A binary tree of boxes (bounding volume hierarchy) over the triangles of a mesh: for reading, and to test
+/// bvh.hpp against.
 ///
-/// The idea: put the triangles in a box, cut the box in two, and the halves again. What cannot reach a box cannot
-/// touch anything in it. Unlike the cells of an octree, boxes of a triangle each may overlap, but no triangle is in two of them.
+/// The idea: put the triangles in a box, cut the box in two, and the halves again. What cannot reach a box
+/// cannot touch anything in it. Unlike the cells of an octree, boxes of a triangle each may overlap, but no
+/// triangle is in two of them.
 class PlainBvh {
  public:
   explicit PlainBvh(Mesh mesh);
@@ -26,8 +28,8 @@ class PlainBvh {
   std::size_t size() const { return nodes_.size(); }
   int depth() const;
 
-  /// Calls consider(triangle) for the triangles that the moving sphere may touch, the nearest boxes first. It returns
-  /// the time up to which contacts still matter.
+  /// Calls consider(triangle) for the triangles that the moving sphere may touch, the nearest boxes first. It
+  /// returns the time up to which contacts still matter.
   template <class Consider>
   void visit(const Moving<Sphere>& moving, const Consider& consider) const;
 
@@ -83,7 +85,8 @@ void PlainBvh::visit(const Moving<Sphere>& moving, const Consider& consider) con
     waiting.pop_back();
     if (time > latest) continue;
     if (node->children == 0) {
-      for (std::uint32_t i = 0; i < node->count; ++i) latest = std::min(latest, consider(order_[node->first + i]));
+      for (std::uint32_t i = 0; i < node->count; ++i)
+        latest = std::min(latest, consider(order_[node->first + i]));
       continue;
     }
     const Node &left = nodes_[node->children], &right = nodes_[node->children + 1];

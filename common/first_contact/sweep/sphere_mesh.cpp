@@ -1,6 +1,7 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "first_contact/geometry/closest_point.hpp"
@@ -42,8 +43,12 @@ class FirstTouch {
   std::size_t triangle_ = no_triangle;  // one that has this feature
 };
 
+/// Where triangles overlap in one plane, two of them may be touched all alike: then the lower number wins.
 void FirstTouch::keep(const Touch& touch, const Vertices& vertices, std::size_t triangle) {
-  if (first_ && !earlier(touch, *first_)) return;
+  if (first_ && !earlier(touch, *first_)) {
+    const bool alike = !earlier(*first_, touch);
+    if (!alike || std::tie(triangle, vertices) >= std::tie(triangle_, vertices_)) return;
+  }
   first_ = touch;
   vertices_ = vertices;
   triangle_ = triangle;

@@ -11,15 +11,19 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// How much the walk must allow for what the verdict rounds, and for the way into the tree's unit, in terms of all
-/// lengths in play. The verdict's distances are wrong by at most rounding_of_distance of centre to corner + side + path + r,
-/// each at most sqrt 3 or 2 sqrt 3 times its largest coordinate; that is less than half of this.
+/// How much the walk must allow for what the verdict rounds, and for the way into the tree's unit, in terms
+/// of all lengths in play. The verdict's distances are wrong by at most rounding_of_distance of centre to
+/// corner + side + path + r, each at most sqrt 3 or 2 sqrt 3 times its largest coordinate; that is less than
+/// half of this.
 constexpr double error_per_length = 256 * eps;
 
 }  // namespace
 
 Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
-    : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(surface.mesh, surface.neighbours, moving) {
+    : parts_(surface),
+      walker_(walk),
+      tree_(surface.tree()),
+      verdict_(surface.mesh, surface.neighbours, moving) {
   const auto& [center, radius] = moving.shape;
   const Vector& v = moving.displacement;
   question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius};

@@ -28,7 +28,7 @@ class Cast {
   const Walker& walker_;
   const Tree tree_;
   Verdict verdict_;
-  bool near_ = false;        // does the sphere come near the mesh at all?
+  bool near_ = false;            // does the sphere come near the mesh at all?
   double from_ = 0, width_ = 1;  // the time when it does, and for how long
   Question question_;
   Walk walk_;

@@ -28,7 +28,8 @@ Collapse::Collapse(const std::vector<Branch>& tree) : branches_(tree), cost_(tre
     Costs shared;  // [k - 1]: left and right share k
     shared.fill(std::numeric_limits<float>::infinity());
     for (std::size_t k = 2; k <= width; ++k)
-      for (std::size_t j = 1; j < k; ++j) shared[k - 1] = std::min(shared[k - 1], left[j - 1] + right[k - j - 1]);
+      for (std::size_t j = 1; j < k; ++j)
+        shared[k - 1] = std::min(shared[k - 1], left[j - 1] + right[k - j - 1]);
     cost_[b][0] = surface(tree[b]) + shared[width - 1];
     for (std::size_t k = 2; k <= width; ++k) cost_[b][k - 1] = std::min(cost_[b][k - 2], shared[k - 1]);
   }

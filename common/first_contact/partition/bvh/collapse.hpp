@@ -16,10 +16,11 @@ struct Cover {
 
 /// Chooses which branches of the binary tree become nodes of the wide one, and which are skipped.
 ///
-/// The idea: let cost(b, k) be the least expected work below branch b if it may be covered by at most k children of a wide
-/// node. One child: a wide node, whose own children cover both halves with 8 in all; more: the halves share the k. Filled from
-/// the leaves up, that table holds the best of all trees (dynamic programming; after Ylitie, Karras, Laine 2017).
-/// It equals opening the largest child again and again, which is not always the best. Measured: about 5 % of a cast.
+/// The idea: let cost(b, k) be the least expected work below branch b if it may be covered by at most k
+/// children of a wide node. One child: a wide node, whose own children cover both halves with 8 in all; more:
+/// the halves share the k. Filled from the leaves up, that table holds the best of all trees (dynamic
+/// programming; after Ylitie, Karras, Laine 2017). It equals opening the largest child again and again, which
+/// is not always the best. Measured: about 5 % of a cast.
 class Collapse {
  public:
   explicit Collapse(const std::vector<Branch>& tree);

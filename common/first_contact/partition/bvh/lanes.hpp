@@ -9,12 +9,13 @@
 /// \file
 /// Eight floats that are added, compared and chosen from as one.
 ///
-/// The idea: GCC's and clang's vector types know + - * / < and ?: on any machine; only what they have no sign for is
-/// written here, once with AVX2's own instructions and once in plain loops. Whichever is compiled, the results may
-/// differ in the last bits (fused or not, estimated or not); the bounds that are made of them allow for that.
+/// The idea: GCC's and clang's vector types know + - * / < and ?: on any machine; only what they have no sign
+/// for is written here, once with AVX2's own instructions and once in plain loops. Whichever is compiled, the
+/// results may differ in the last bits (fused or not, estimated or not); the bounds that are made of them
+/// allow for that.
 ///
-/// Everything here has internal linkage and uses nothing of the standard library: a function compiled with AVX2 must never be
-/// taken by the linker for one that runs everywhere.
+/// Everything here has internal linkage and uses nothing of the standard library: a function compiled with
+/// AVX2 must never be taken by the linker for one that runs everywhere.
 
 namespace first_contact::bvh {
 namespace {
@@ -95,7 +96,9 @@ inline Doubles least(Doubles a, Doubles b) { return a < b ? a : b; }
 inline Doubles most(Doubles a, Doubles b) { return a > b ? a : b; }
 inline unsigned bits(Ints mask) {
 #if defined(__SSE2__)
-  const auto half = [&](int i) { return static_cast<unsigned>(_mm_movemask_ps(read<__m128>((const char*)&mask + i))); };
+  const auto half = [&](int i) {
+    return static_cast<unsigned>(_mm_movemask_ps(read<__m128>((const char*)&mask + i)));
+  };
   return half(0) | half(16) << 4;
 #else
   unsigned result = 0;

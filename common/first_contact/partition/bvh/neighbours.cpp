@@ -55,7 +55,8 @@ void Neighbours::gather_faces(const Mesh& mesh) {
   std::uint32_t sum = 0;
   for (std::uint32_t& first : first_) first = sum += first;  // each list's end ...
   faces_.resize(sum);
-  for (auto i = static_cast<std::uint32_t>(mesh.size()); i-- > 0;) {  // ... becomes its beginning, filled from behind
+  for (auto i = static_cast<std::uint32_t>(mesh.size());
+       i-- > 0;) {  // ... becomes its beginning, filled from behind
     const auto [a, b, c] = corners(mesh.faces()[i]);
     faces_[--first_[a]] = i;
     if (b != a) faces_[--first_[b]] = i;

@@ -10,9 +10,10 @@ namespace first_contact::bvh {
 
 /// Which faces meet at a vertex, and no more.
 ///
-/// The idea: what environment.hpp works out beforehand for every edge and vertex of a mesh, a cast needs for the one
-/// that it touches. From the faces at a vertex its edges can be had in no time, so that this list, in O(n), is enough.
-/// It equals MeshEdges::faces_at and ::representative. Measured: .1 s for a million triangles where MeshEdges takes 2 s.
+/// The idea: what environment.hpp works out beforehand for every edge and vertex of a mesh, a cast needs for
+/// the one that it touches. From the faces at a vertex its edges can be had in no time, so that this list, in
+/// O(n), is enough. It equals MeshEdges::faces_at and ::representative. Measured: .1 s for a million
+/// triangles where MeshEdges takes 2 s.
 class Neighbours {
  public:
   explicit Neighbours(const Mesh& mesh);

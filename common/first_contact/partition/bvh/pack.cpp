@@ -23,7 +23,8 @@ constexpr std::size_t read_past_the_end = 64;
 
 class Packer {
  public:
-  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Neighbours& around, const Collapse& wide)
+  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Neighbours& around,
+         const Collapse& wide)
       : tree_(from), mesh_(surface), space_(unit), neighbours_(around), collapse_(wide) {}
 
   PackedTree pack();
@@ -37,7 +38,7 @@ class Packer {
   Node make_node(std::uint32_t number, const Cover& cover);
   Node subtree(std::uint32_t number);
   void attach(Node& parent, std::size_t j, const Node& child);
-  Node append(const Packer& part, Node top);
+  Node append(const Packer& part, const Node& top);
   PackedTree finish();
   template <class Work>
   void in_turns(const Cover& cover, const Work& work) const;
@@ -119,8 +120,8 @@ Vector Packer::area_vector(const Branch& part) const {
 }
 
 //! [slab]
-/// The slab of a child along its mean normal n, which is stored in 127ths. Heights n.(x - origin) are between -half and half,
-/// and are stored in 65,535ths of that.
+/// The slab of a child along its mean normal n, which is stored in 127ths. Heights n.(x - origin) are between
+/// -half and half, and are stored in 65,535ths of that.
 void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   node.slab[1][j] = 65535;
   const double half = 255.0 * (double{node.step[0]} + double{node.step[1]} + double{node.step[2]});
@@ -166,14 +167,16 @@ void write_boxes(Node& node, const Branch& whole, const std::vector<Branch>& bra
   }
 }
 
-/// Leaves that are children of one node lie together, and so do its inner children, for which this makes room.
+/// Leaves that are children of one node lie together, and so do its inner children, for which this makes
+/// room.
 void Packer::write_children(Node& node, const Cover& cover) {
   node.first_node = static_cast<std::uint32_t>(result_.nodes.size());
   node.first_leaf = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
   std::uint8_t inner = 0;
   for (std::size_t j = 0; j < node.count; ++j) {
     const Branch& child = branch(cover.branch[j]);
-    node.child[j] = child.leaf() ? static_cast<std::uint8_t>(128 + add_leaf(child) - node.first_leaf) : inner++;
+    node.child[j] =
+        child.leaf() ? static_cast<std::uint8_t>(128 + add_leaf(child) - node.first_leaf) : inner++;
     write_slab(node, j, child);
   }
   result_.nodes.resize(result_.nodes.size() + inner);
@@ -202,7 +205,8 @@ void Packer::attach(Node& parent, std::size_t j, const Node& child) {
 }
 
 //! [pack_in_parallel]
-/// The subtrees below the root are packed at the same time, each in memory of its own, and then put one behind the other.
+/// The subtrees below the root are packed at the same time, each in memory of its own, and then put one
+/// behind the other.
 PackedTree Packer::pack() {
   if (branch(0).leaf()) {
     result_.root = leaf_bit | add_leaf(branch(0));
@@ -237,21 +241,22 @@ void Packer::in_turns(const Cover& cover, const Work& work) const {
 }
 
 /// Puts another packer's nodes and leaves behind this one's. \returns its topmost node, moved
-Node Packer::append(const Packer& part, Node top) {
+Node Packer::append(const Packer& part, const Node& top) {
   const auto nodes = static_cast<std::uint32_t>(result_.nodes.size());
   const auto leaves = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
   const auto move = [&](Node& node) {
     node.first_node += nodes;
     node.first_leaf += leaves;
     for (std::uint32_t& first : node.leaves_of) first += leaves;
+    return node;
   };
   result_.nodes.insert(result_.nodes.end(), part.result_.nodes.begin(), part.result_.nodes.end());
   result_.leaves.insert(result_.leaves.end(), part.result_.leaves.begin(), part.result_.leaves.end());
   std::for_each(result_.nodes.begin() + nodes, result_.nodes.end(), move);
-  move(top);
   leaf_count_ += part.leaf_count_;
   sum_of_sizes_ += part.sum_of_sizes_;
-  return top;
+  Node moved = top;
+  return move(moved);
 }
 
 PackedTree Packer::finish() {

@@ -19,8 +19,8 @@ struct PackedTree {
 
 /// Writes the binary tree as a wide one: \see layout.hpp for the form, collapse.hpp for the choice.
 ///
-/// The idea: every rounding goes outward. A box is stored in 256 steps of its parent's, a slab in 65,536; low sides are rounded
-/// down and high sides up, so that what is stored holds what it stands for.
+/// The idea: every rounding goes outward. A box is stored in 256 steps of its parent's, a slab in 65,536; low
+/// sides are rounded down and high sides up, so that what is stored holds what it stands for.
 PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Neighbours& neighbours);
 
 }  // namespace first_contact::bvh

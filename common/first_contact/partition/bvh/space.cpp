@@ -15,7 +15,7 @@ Space::Space(const Mesh& mesh) {
   center_ = low / 2 + high / 2;
   const double half = (high / 2 - low / 2).maxCoeff();
   int exponent = 0;
-  std::frexp(half, &exponent);                       // half < 2^exponent
+  std::frexp(half, &exponent);  // half < 2^exponent
   if (half > 0) scale_ = std::ldexp(1.0, -exponent);
 }
 

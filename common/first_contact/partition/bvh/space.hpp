@@ -7,9 +7,9 @@ namespace first_contact::bvh {
 
 /// The tree's own unit of length and origin, chosen so that the mesh lies between -1 and 1.
 ///
-/// The idea: the floats of the tree have tolerances of fixed size, and are right at any scale and offset because the mesh is
-/// always brought to the same size and place first. The unit is a power of two, so that a scene scaled by one
-/// gives the same tree, bit for bit.
+/// The idea: the floats of the tree have tolerances of fixed size, and are right at any scale and offset
+/// because the mesh is always brought to the same size and place first. The unit is a power of two, so that a
+/// scene scaled by one gives the same tree, bit for bit.
 class Space {
  public:
   explicit Space(const Mesh& mesh);

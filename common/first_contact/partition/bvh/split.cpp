@@ -17,8 +17,8 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 constexpr int bins = 16;
 /// So few triangles have no more than 16 vertices for certain.
 constexpr std::uint32_t always_a_leaf = most_vertices / 3;
-/// From this depth on parts are cut in halves by number, so that no mesh makes the tree deeper than `deepest`: 2^32 triangles
-/// are 32 halvings.
+/// From this depth on parts are cut in halves by number, so that no mesh makes the tree deeper than
+/// `deepest`: 2^32 triangles are 32 halvings.
 constexpr int deepest_by_surface = deepest - 32;
 
 Floats4 least(Floats4 a, Floats4 b) { return a < b ? a : b; }
@@ -51,7 +51,8 @@ Item make_item(const Mesh& mesh, const Space& space, std::uint32_t number) {
   const Mesh::Face& face = mesh.faces()[number];
   const Point a = space.point(mesh.vertices()[face[0]]), b = space.point(mesh.vertices()[face[1]]),
               c = space.point(mesh.vertices()[face[2]]);
-  const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c).cast<float>(), high = a.cwiseMax(b).cwiseMax(c).cast<float>();
+  const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c).cast<float>(),
+                        high = a.cwiseMax(b).cwiseMax(c).cast<float>();
   return {Floats4{low[0], low[1], low[2], static_cast<float>(number % Item::half)},
           Floats4{high[0], high[1], high[2], static_cast<float>(number / Item::half)}};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "first_contact/geometry/closest_point.hpp"
@@ -37,7 +38,8 @@ void Verdict::consider(std::uint32_t number, const Mesh::Face& corners, unsigned
   considered_.add(number);
   if (features == 0) return;
   const auto& [a, b, c] = corners;
-  if (features & 1) keep(touch_face(moving_, Facet({position(a), position(b), position(c)})), corners, number);
+  if (features & 1)
+    keep(touch_face(moving_, Facet({position(a), position(b), position(c)})), corners, number);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
   for (std::size_t slot = 0; slot < 3; ++slot)
@@ -60,9 +62,10 @@ void Verdict::consider_vertex(std::uint32_t vertex) {
 }
 
 //! [clearly_nearest]
-/// Do all faces around a touched vertex (from = to) or edge bend away from the sphere by much more than rounding? Then none
-/// of them is nearer, none has the touch's normal, the edge is not flat and the vertex is not buried: the normal itself
-/// shows the way out. What is not clear goes to the functions that weigh the rounding.
+/// Do all faces around a touched vertex (from = to) or edge bend away from the sphere by much more than
+/// rounding? Then none of them is nearer, none has the touch's normal, the edge is not flat and the vertex is
+/// not buried: the normal itself shows the way out. What is not clear goes to the functions that weigh the
+/// rounding.
 bool Verdict::clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
   constexpr double much = 1e-6;  // radians
   // The angle up to which nearest.cpp takes two directions for one, twice over.
@@ -151,7 +154,11 @@ void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
 }
 
 void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face) {
-  if (!touch || (first_ && !earlier(*touch, *first_))) return;
+  if (!touch) return;
+  if (first_ && !earlier(*touch, *first_)) {
+    const bool alike = !earlier(*first_, *touch);
+    if (!alike || std::tie(face, vertices) >= std::tie(face_, vertices_)) return;
+  }
   first_ = touch;
   vertices_ = vertices;
   face_ = face;
@@ -167,8 +174,8 @@ bool Verdict::reaches(std::uint32_t face, double tolerance) const {
          (closest_point(first_->point, mesh_.triangle(face)) - first_->point).norm() <= tolerance;
 }
 
-/// The lowest number of the triangles around the touched feature that reach the touched point. As they reach it, all of
-/// them were considered.
+/// The lowest number of the triangles around the touched feature that reach the touched point. As they reach
+/// it, all of them were considered.
 std::uint32_t Verdict::lowest_triangle() const {
   const double tolerance = first_->tolerance + rounding_of_distance * first_->point.cwiseAbs().maxCoeff();
   std::uint32_t lowest = face_;

@@ -13,18 +13,19 @@ namespace first_contact::bvh {
 
 /// Decides, in doubles, about the triangles that a walk could not exclude.
 ///
-/// The idea: it asks what the plain sweep asks (sphere_mesh.cpp), by the same functions and in the same order of precedence, but only
-/// of the faces, edges and vertices that come near, and works out what lies around them when it must. So the answer
-/// is that of the plain sweep, bit for bit. Measured: the plain sweep's own test of a ridge or a peak takes 300 to 900 ns for the
-/// faces around it; the test for the clear case, in which all of them lead away from the sphere, 30 to 60.
+/// The idea: it asks what the plain sweep asks (sphere_mesh.cpp), by the same functions and in the same order
+/// of precedence, but only of the faces, edges and vertices that come near, and works out what lies around
+/// them when it must. So the answer is that of the plain sweep, bit for bit. Measured: the plain sweep's own
+/// test of a ridge or a peak takes 300 to 900 ns for the faces around it; the test for the clear case, in
+/// which all of them lead away from the sphere, 30 to 60.
 class Verdict {
  public:
   Verdict(const Mesh& surface, const Neighbours& around, const Moving<Sphere>& sphere)
       : mesh_(surface), neighbours_(around), moving_(sphere) {}
 
-  /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc, ca,
-  /// the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be touched where another
-  /// one is.
+  /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc,
+  /// ca, the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be
+  /// touched where another one is.
   /// \param corners  of the face, by their representatives
   void consider(std::uint32_t face, const Mesh::Face& corners, unsigned features);
   /// All of them.
@@ -74,8 +75,8 @@ class Verdict {
   const Neighbours& neighbours_;
   const Moving<Sphere>& moving_;
   std::optional<Touch> first_;
-  Vertices vertices_{};      // of the feature that is touched first, some of them twice
-  std::uint32_t face_ = 0;   // one that has this feature
+  Vertices vertices_{};     // of the feature that is touched first, some of them twice
+  std::uint32_t face_ = 0;  // one that has this feature
   Numbers considered_;
   Recent<std::uint64_t> edges_;
   Recent<std::uint32_t> vertices_seen_;

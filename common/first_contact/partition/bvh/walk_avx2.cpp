@@ -1,5 +1,5 @@
-// The same walk with AVX2 and FMA, where the compiler was told to use them (common/CMakeLists.txt). Nothing here may be
-// called before __builtin_cpu_supports has been asked.
+// The same walk with AVX2 and FMA, where the compiler was told to use them (common/CMakeLists.txt). Nothing
+// here may be called before __builtin_cpu_supports has been asked.
 #if defined(__AVX2__) && defined(__FMA__)
 #include "first_contact/partition/bvh/walk.inc"
 
