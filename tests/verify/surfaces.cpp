@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace surfaces {
 
@@ -85,11 +86,48 @@ Mesh fan(Random& random) {
   return {std::move(points), std::move(faces)};
 }
 
+/// A closed body about the origin: an octahedron of n n triangles a side, blown up to a sphere with bumps.
+Mesh closed(Random& random) {
+  const auto n = 1 + static_cast<int>(random() % 5);
+  const double bumps = random() % 2 ? 0.2 : 0;
+  std::map<std::array<int, 3>, std::uint32_t> numbers;
+  std::vector<Point> points;
+  std::vector<Mesh::Face> faces;
+  const auto vertex = [&](int x, int y, int z) {  // |x| + |y| + |z| = n
+    const auto [place, is_new] = numbers.try_emplace({x, y, z}, static_cast<std::uint32_t>(points.size()));
+    if (is_new) points.emplace_back(Point(x, y, z).normalized() * (1 + bumps * uniform(random, -1, 1)));
+    return place->second;
+  };
+  for (const int sx : {-1, 1})
+    for (const int sy : {-1, 1})
+      for (const int sz : {-1, 1})
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; i + j < n; ++j) {
+            const auto at = [&](int x, int y) { return vertex(sx * x, sy * y, sz * (n - x - y)); };
+            faces.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+            if (i + j + 2 <= n) faces.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+          }
+  return {std::move(points), std::move(faces)};
+}
+
+/// Up to seven pages at one edge.
+Mesh book(Random& random) {
+  std::vector<Point> points{{0, 0, -1}, {0, 0, 1}};
+  std::vector<Mesh::Face> faces;
+  for (auto pages = 1 + static_cast<std::uint32_t>(random() % 7); pages > 0; --pages) {
+    const double angle = uniform(random, 0, 6.283185307179586);
+    points.emplace_back(std::cos(angle), std::sin(angle), uniform(random, -1, 1));
+    const auto last = static_cast<std::uint32_t>(points.size()) - 1;
+    faces.push_back(random() % 2 ? Mesh::Face{0, 1, last} : Mesh::Face{last, 1, 0});
+  }
+  return {std::move(points), std::move(faces)};
+}
+
 }  // namespace
 
 const char* name(int kind) {
-  constexpr std::array names{"bumpy",      "flat",        "loose",      "slivers",
-                             "duplicates", "T-junctions", "degenerate", "fan"};
+  constexpr std::array names{"bumpy",       "flat",       "loose", "slivers", "duplicates",
+                             "T-junctions", "degenerate", "fan",   "closed",  "book"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -98,19 +136,27 @@ Mesh surface(int kind, Random& random) {
     return grid(2 + static_cast<std::uint32_t>(random() % 12), log_uniform(random, 1e-6, 0.3), random);
   if (kind == 1) return grid(2 + static_cast<std::uint32_t>(random() % 12), 0, random);
   if (kind == 7) return fan(random);
+  if (kind == 8) return closed(random);
+  if (kind == 9) return book(random);
   Loose mesh;
   for (std::size_t i = 1 + random() % 100; i > 0; --i) add_loose(mesh, kind, random);
   return {std::move(mesh.points), std::move(mesh.faces)};
 }
 
-Mesh moved(const Mesh& mesh, double size, const Vector& offset) {
+Mesh placed(const Mesh& mesh, Random& random) {
+  const double size = std::pow(10.0, static_cast<double>(random() % 13) - 6);
+  const double away = random() % 2 ? 0 : size * std::pow(10.0, static_cast<double>(random() % 4));
+  const bool turned = random() % 2;
+  const Eigen::AngleAxisd turn(turned ? uniform(random, 0, 3) : 0, direction(random));
+  const Vector offset = away * direction(random);
   std::vector<Point> points;
-  for (const Point& p : mesh.vertices()) points.emplace_back(size * p + offset);
+  for (const Point& p : mesh.vertices())
+    points.emplace_back((turned ? turn * Vector(size * p) : Vector(size * p)) + offset);
   return {std::move(points), mesh.faces()};
 }
 
 const char* aim_name(int aim) {
-  constexpr std::array names{"vertex", "edge", "seam", "graze", "anywhere"};
+  constexpr std::array names{"vertex", "edge", "seam", "graze", "anywhere", "overlap"};
   return names[static_cast<std::size_t>(aim)];
 }
 
@@ -128,6 +174,7 @@ Moving<Sphere> cast(const Mesh& mesh, int aim, Random& random) {
   if (aim == 3)  // past it, at a distance of r but for a few roundings, or a little more
     beside = r * (1 + log_uniform(random, 1e-17, 1e-9) * (random() % 2 ? 1 : -1)) *
              d.cross(direction(random)).normalized();
+  if (aim == 5) return {Sphere{target + uniform(random, 0, 1) * r * direction(random), r}, length * d};
   return {Sphere{target + beside - uniform(random, -0.1, 1) * length * d, r}, length * d};
 }
 

@@ -1,117 +1,140 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
 
-#include "first_contact/geometry/mesh.hpp"
-#include "first_contact/geometry/sphere.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/geometry/triangle.hpp"
 
 /// \file
-/// When does a moving sphere touch a mesh? By bisection in long double, without any formula of the library.
+/// When does a moving sphere touch a triangle? Without any formula of the library, in any kind of number.
 ///
-/// The distance of a triangle from a point that moves along a straight line first falls and then rises. So
-/// its least value is where it turns, and the time at which it falls to r lies before that: both are found by
-/// halving. Numbers of 64 bits are wrong by 1e-19 of a length, four thousand times less than the bounds that
-/// are verified with them; tests/oracle holds the same method to 50 digits.
+/// The distance from a triangle of a point that moves along a straight line is a convex function of time: it
+/// first falls and then rises; it lies above its tangents and below its chords. So its tangents close in from
+/// below on the time when it falls to r, its chords from above, and between them the truth cannot hide.
 
 namespace truth {
 
-using namespace first_contact;
-using Real = long double;
-using Vec = Eigen::Matrix<Real, 3, 1>;
+template <class Real>
+struct Vec {
+  Real x, y, z;
+  friend Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec operator*(const Real& s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
+};
+template <class Real>
+Real dot(const Vec<Real>& a, const Vec<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Real>
+Real norm(const Vec<Real>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+template <class Real>
+Vec<Real> exact(const first_contact::Vector& v) {
+  return {Real(v.x()), Real(v.y()), Real(v.z())};
+}
 
-/// The vector from a point to the nearest point of a triangle.
-class ToTriangle {
+/// A triangle, which may be degenerate, and the vector from a point to the nearest point of it.
+template <class Real>
+class Triangle {
  public:
-  explicit ToTriangle(const Triangle& t) : a_(t.a.cast<Real>()), b_(t.b.cast<Real>()), c_(t.c.cast<Real>()) {}
+  explicit Triangle(const first_contact::Triangle& t)
+      : corners_{exact<Real>(t.a), exact<Real>(t.b), exact<Real>(t.c)} {}
 
-  Vec from(const Vec& p) const {
-    Vec best = to_side(p, a_, b_);
-    const auto offer = [&](const Vec& other) {
-      if (other.squaredNorm() < best.squaredNorm()) best = other;
+  Vec<Real> from(const Vec<Real>& p) const {
+    Vec<Real> best = to_side(p, 0);
+    Real least = dot(best, best);
+    const auto offer = [&](const Vec<Real>& other) {
+      const Real square = dot(other, other);
+      if (!(square < least)) return;
+      best = other;
+      least = square;
     };
-    offer(to_side(p, b_, c_));
-    offer(to_side(p, c_, a_));
-    // Inside: p - a = u (b - a) + v (c - a) + w (b - a) x (c - a), by Cramer's rule.
-    const Vec f = b_ - a_, g = c_ - a_, n = f.cross(g), h = p - a_;
-    const Real nn = n.squaredNorm();
-    if (nn > 0) {
-      const Real u = h.cross(g).dot(n) / nn, v = f.cross(h).dot(n) / nn;
-      if (u >= 0 && v >= 0 && u + v <= 1) offer(-(h.dot(n) / nn) * n);
-    }
+    offer(to_side(p, 1));
+    offer(to_side(p, 2));
+    // Over the face: p - a = u f + v g + something at right angles to both.
+    const Vec<Real> f = corners_[1] - corners_[0], g = corners_[2] - corners_[0], h = p - corners_[0];
+    const Real ff = dot(f, f), fg = dot(f, g), gg = dot(g, g), fh = dot(f, h), gh = dot(g, h);
+    const Real det = ff * gg - fg * fg, u = gg * fh - fg * gh, v = ff * gh - fg * fh;
+    if (det > 0 && u >= 0 && v >= 0 && u + v <= det) offer((u / det) * f + (v / det) * g - h);
     return best;
   }
 
  private:
-  static Vec to_side(const Vec& p, const Vec& a, const Vec& b) {
-    const Vec e = b - a, m = p - a;
-    const Real along = m.dot(e), ee = e.squaredNorm();
-    return -m + (along <= 0 ? Real(0) : along >= ee ? Real(1) : along / ee) * e;
+  Vec<Real> to_side(const Vec<Real>& p, std::size_t i) const {
+    const Vec<Real>&a = corners_[i], e = corners_[(i + 1) % 3] - a, h = p - a;
+    const Real ee = dot(e, e), along = dot(h, e);
+    if (!(along > 0)) return Real(-1) * h;
+    return (along < ee ? along / ee : Real(1)) * e - h;
   }
 
-  Vec a_, b_, c_;
+  std::array<Vec<Real>, 3> corners_;
 };
 
-/// The way of a sphere's centre past one triangle.
+/// The distance of a moving point from a triangle.
+template <class Real>
 class Approach {
  public:
-  Approach(const Triangle& triangle, const Moving<Sphere>& moving)
-      : triangle_(triangle),
-        start_(moving.shape.center.cast<Real>()),
-        travel_(moving.displacement.cast<Real>()) {
-    const auto falling = [&](Real t) { return to_triangle(t).dot(travel_) > 0; };
-    turn_ = !falling(0) ? 0 : falling(1) ? 1 : last(falling, 0, 1);
-  }
+  Approach(const first_contact::Triangle& triangle, const first_contact::Point& start,
+           const first_contact::Vector& displacement)
+      : triangle_(triangle), start_(exact<Real>(start)), travel_(exact<Real>(displacement)) {}
 
-  Real distance(Real t) const { return to_triangle(t).norm(); }
-  /// The first time at which the distance is at most r; 0 if it is at the start.
-  std::optional<Real> first_time(Real r) const {
-    if (r < 0 || distance(turn_) > r) return std::nullopt;
-    if (distance(0) <= r) return Real(0);
-    return last([&](Real t) { return distance(t) > r; }, 0, turn_);
-  }
+  /// The nearest point, as seen from the moving one.
+  Vec<Real> offset(const Real& t) const { return triangle_.from(start_ + t * travel_); }
+  Vec<Real> point(const Real& t) const { return start_ + t * travel_ + offset(t); }
+  Real distance(const Real& t) const { return norm(offset(t)); }
+
+  /// The first t in [0, 1] at which the distance is at most r; 0 if it is so at the start.
+  std::optional<Real> first_time(const Real& r) const;
 
  private:
-  Vec to_triangle(Real t) const { return triangle_.from(start_ + t * travel_); }
-  /// Until when is a condition true that is true at `from` and not at `to`?
-  template <class Condition>
-  static Real last(const Condition& condition, Real from, Real to) {
-    while (true) {
-      const Real middle = (from + to) / 2;
-      if (!(from < middle && middle < to)) return to;
-      (condition(middle) ? from : to) = middle;
-    }
-  }
-
-  ToTriangle triangle_;
-  Vec start_, travel_;
-  Real turn_;
-};
-
-/// The first times for a radius that is larger, and smaller, by a bound: the sweep's answer must lie between.
-struct Between {
-  std::optional<Real> earliest, latest;
-};
-
-inline Between first_times(const Mesh& mesh, const Moving<Sphere>& moving, Real bound) {
-  Between result;
-  const auto keep = [](std::optional<Real>& first, const std::optional<Real>& other) {
-    if (other && (!first || *other < *first)) first = other;
+  /// Distance less r at a time, and how fast it changes there.
+  struct Sample {
+    Real time, gap, slope;
+    Real zero_of_tangent() const { return time - gap / slope; }
   };
-  const Real r = moving.shape.radius;
-  const Point middle = moving.shape.center + moving.displacement / 2;
-  const double reach = moving.displacement.norm() / 2 + moving.shape.radius;
-  for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const Triangle t = mesh.triangle(i);
-    const double size = std::max((t.b - t.a).norm(), (t.c - t.a).norm());
-    if ((t.a - middle).norm() > (reach + size) * 1.000001) continue;  // out of reach by far
-    const Approach approach(t, moving);
-    keep(result.earliest, approach.first_time(r + bound));
-    keep(result.latest, approach.first_time(r - bound));
+  Sample sample(const Real& t, const Real& r) const {
+    const Vec<Real> o = offset(t);
+    const Real d = norm(o);
+    return {t, d - r, d > 0 ? Real(-dot(o, travel_) / d) : Real(0)};
   }
-  return result;
+
+  Triangle<Real> triangle_;
+  Vec<Real> start_, travel_;
+};
+
+template <class Real>
+std::optional<Real> Approach<Real>::first_time(const Real& r) const {
+  constexpr int enough = 200;
+  if (r < 0) return std::nullopt;
+  Sample from = sample(Real(0), r), to = sample(Real(1), r);
+  if (from.gap <= 0) return Real(0);
+  for (int i = 0; i < enough; ++i) {
+    if (!(from.slope < 0)) return std::nullopt;  // rising: never again
+    if (to.gap > 0) {  // both apart: between the zeros of their tangents, or nowhere
+      if (!(to.slope > 0)) return std::nullopt;  // still falling at the end
+      const Real low = std::max(from.zero_of_tangent(), from.time),
+                 high = std::min(to.zero_of_tangent(), to.time);
+      const Real middle = (low + high) / 2;
+      if (low > high || !(from.time < middle && middle < to.time)) return std::nullopt;
+      const Sample s = sample(middle, r);
+      (s.gap > 0 && s.slope < 0 ? from : to) = s;
+      continue;
+    }
+    const Real least = from.zero_of_tangent();
+    const Real most = from.time - from.gap * (to.time - from.time) / (to.gap - from.gap);  // the chord's zero
+    const Real width = to.time - from.time;
+    for (const Real& t : {least, most, Real((from.time + to.time) / 2)}) {
+      if (!(from.time < t && t < to.time)) continue;
+      if (to.time - from.time < width / 4) break;
+      const Sample s = sample(t, r);
+      (s.gap > 0 ? from : to) = s;
+    }
+    if (!(to.time - from.time < width)) break;  // nothing in between
+  }
+  return to.gap <= 0 ? std::optional<Real>(to.time) : std::nullopt;
 }
 
 }  // namespace truth

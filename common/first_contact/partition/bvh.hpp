@@ -38,6 +38,17 @@ class Bvh {
 
 /// First contact of a moving sphere with a mesh, as sweep(moving, Environment) finds it: the same time,
 /// point, normal, feature and triangle, to the last bit, whatever the tree and the machine's instruction set.
+///
+/// Error: for each triangle let L be the largest distance of its corners from the centre at the start + its
+/// longest side + |V| + r. Then the answer is that of exact arithmetic for a radius that differs, for each
+/// triangle, by at most 16 eps L = 3.6e-15 L. In other words, with N the normal at the contact:
+/// - a sphere that goes deeper than that into a triangle is never missed, and one that stays farther away
+/// than that is never said to touch it;
+/// - the time is wrong by at most 16 eps L / |N.V|, or sqrt(32 eps L r) / |V| if the sphere only grazes.
+///
+/// The bound is derived with rounding_of_distance (moved_out.hpp): the difference of two points, a cross
+/// product, the closest approach and the root, each rounded, move the distance by less than 8 eps L. In a
+/// million casts made to be hard the worst was 3 eps L (./course verify).
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh);
 
 /// Many casts at once, in turns, so that while one waits for memory others go on. first[i] is what
