@@ -94,8 +94,8 @@ void draw_gauge(figure::Scene& scene, Point gauge, const Box& box, const Vector&
   scene.label("", gauge + Vector(0.75, 0, 0));  // room for what stands beside the gauge
 }
 
-// Figure 4: from the lowest vertex to the highest, along three edges, the box rises |R.N| + |S.N| + |T.N|; its centre
-// is half as high.
+// Figure 4: from the lowest vertex to the highest, along three edges, the box rises |R.N| + |S.N| + |T.N|;
+// its centre is half as high.
 void draw_effective_radius(const Studio& studio) {
   const Vector n(0, 0, 1);
   const Box box{{0, 0, 1.15}, {0.6, 1.2, 1.2}, {0.8, 0.4, -0.8}, {0.6, -0.6, 0.3}};
@@ -167,7 +167,8 @@ Box thickened(Box box) {
   return box;
 }
 
-// A scene near the origin and about as large as 1, whatever the caller's unit and place: so that it can be drawn.
+// A scene near the origin and about as large as 1, whatever the caller's unit and place: so that it can be
+// drawn.
 struct Drawable {
   Moving<Box> moving;
   Plane plane;
@@ -287,7 +288,8 @@ std::vector<Point> waterline(const Box& box) {
   return crossings;
 }
 
-// The paper's vertices with one common sign for the three axes, and all eight: stopped where the lowest of them touches.
+// The paper's vertices with one common sign for the three axes, and all eight: stopped where the lowest of
+// them touches.
 void draw_signs(const program::Program& program) {
   const View view{76, 14};
   figure::Scene scene(view, 0.03);
@@ -321,7 +323,8 @@ void draw_signs(const program::Program& program) {
   figure.draw();
 }
 
-// A leaning plank in its bounding sphere, its upright and its turned box, each with its volume beside the plank's.
+// A leaning plank in its bounding sphere, its upright and its turned box, each with its volume beside the
+// plank's.
 void draw_tightness(const Studio& studio) {
   const box_chapter::Bounded plank = box_chapter::bounded_shapes()[0];
   const Fill hull{colour::sky, 0.22, true};

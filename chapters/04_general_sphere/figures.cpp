@@ -40,7 +40,8 @@ void finish(const Studio& studio, const std::string& name, const figure::Scene& 
   figure.draw();
 }
 
-// Figure 6: the centres of all spheres in contact with a solid lie on the solid moved out by r, round at its corners.
+// Figure 6: the centres of all spheres in contact with a solid lie on the solid moved out by r, round at its
+// corners.
 void draw_moved_out(const Studio& studio) {
   figure::Scene scene(from_above);
   const double r = 0.7;

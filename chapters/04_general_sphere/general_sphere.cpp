@@ -1,4 +1,5 @@
-// Chapter 4: a moving sphere against an arbitrary environment (paper, 2.1), and a ray against a triangle (3.2.3).
+// Chapter 4: a moving sphere against an arbitrary environment (paper, 2.1), and a ray against a triangle
+// (3.2.3).
 #include <algorithm>
 #include <array>
 #include <map>

@@ -140,7 +140,8 @@ void draw_room(const Studio& studio, const char* name, const std::vector<Rectang
   figure.draw();
 }
 
-// At a shallow angle a gap that is laid back along the path is next to none; along the normal it is what it is.
+// At a shallow angle a gap that is laid back along the path is next to none; along the normal it is what it
+// is.
 void draw_gap(const program::Program& program) {
   const double angle = 14 * std::numbers::pi / 180, gap = 0.6;
   const Vector along(std::cos(angle), 0, -std::sin(angle));
@@ -175,7 +176,8 @@ void draw_gap(const program::Program& program) {
   figure.draw();
 }
 
-// Frame after frame with the same wish, a ball slides over the bunny's back, along its cheek and down its chest.
+// Frame after frame with the same wish, a ball slides over the bunny's back, along its cheek and down its
+// chest.
 void draw_bunny(const Studio& studio) {
   const Environment bunny(read_mesh(FIRST_CONTACT_DATA "/bunny.off"));
   const Vector wish(-0.05, 0, -0.06);

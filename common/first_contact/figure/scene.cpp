@@ -190,8 +190,9 @@ void Scene::mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer) {
   }
 }
 
-// Of many small triangles, those in a thin slab of depth hardly ever hide each other, and a few shades do: sorted by
-// slab and shade, most neighbours are drawn alike and share a clause, so that the picture stays small.
+// Of many small triangles, those in a thin slab of depth hardly ever hide each other, and a few shades do:
+// sorted by slab and shade, most neighbours are drawn alike and share a clause, so that the picture stays
+// small.
 void Scene::fine_mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer) {
   constexpr double shades = 16, slabs = 12;
   Eigen::AlignedBox<double, 1> depths;

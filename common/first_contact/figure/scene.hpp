@@ -61,8 +61,8 @@ class Scene {
   void line(const std::vector<Point>& points, const Pen& pen, int layer = 1);
   /// An arrow, its head at `to`.
   void arrow(const Point& from, const Point& to, const Pen& pen = {colour::red, 2.4}, int layer = 2);
-  /// A ball, shaded; below opacity 1 it is of glass.
-  /// A ball, opaque or of glass. \param step  degrees between two shades; small balls need no fine ones
+  /// A ball, shaded; below opacity 1 it is of glass. A ball, opaque or of glass.
+  /// \param step degrees between two shades; small balls need no fine ones
   void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0,
               double step = 2.5);
   /// The faces of a box that the eye sees, its edges, and its hidden edges dashed in grey.

@@ -45,8 +45,8 @@ std::string one_path(std::string_view polygons) {
   return count < 4 ? "" : "<path fill='" + colour + "' stroke='" + colour + "' d='" + path + "'/>";
 }
 
-// gnuplot writes each polygon of a plot as an element of its own, and then all their outlines once more. Where there
-// are many, as for a mesh, one path says the same in a quarter of the bytes.
+// gnuplot writes each polygon of a plot as an element of its own, and then all their outlines once more.
+// Where there are many, as for a mesh, one path says the same in a quarter of the bytes.
 std::string with_short_meshes(const std::string& svg) {
   const std::string open = "<g stroke='none'>\n\t\t<polygon", close = "</g>\n\t<path stroke='";
   std::string shorter;

@@ -3,7 +3,8 @@
 
 namespace first_contact {
 
-/// The triangle a b c; seen from the side of its normal its corners go round anticlockwise. It may be degenerate.
+/// The triangle a b c; seen from the side of its normal its corners go round anticlockwise. It may be
+/// degenerate.
 struct Triangle {
   /// \throws std::invalid_argument if a corner is not finite.
   Triangle(const Point& p, const Point& q, const Point& r) : a(p), b(q), c(r) {

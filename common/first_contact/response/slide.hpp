@@ -51,7 +51,8 @@ using SphereSweep = std::function<std::optional<Contact>(const Moving<Sphere>&)>
 inline constexpr double slide_gap = 16 * std::numeric_limits<double>::epsilon();
 
 /// Two normals at a smaller angle (in radians) are of one wall: their cross product, the crease, has lost
-/// half of its digits, being known to eps / angle. \see tests/unit/slide_test.cpp
+/// half of its digits, being known to eps / angle.
+/// \see tests/unit/slide_test.cpp
 inline constexpr double slide_same_wall = 0x1p-26;
 
 /// Moves a sphere and lets it slide along whatever it meets, wall after wall. At each contact
