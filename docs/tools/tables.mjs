@@ -8,7 +8,7 @@ const byLabel = (a, b) => a.label.localeCompare(b.label, 'en', {numeric: true});
 
 export function bibliography() {
   return data('references.json').map(({group, entries}) =>
-    `<h2>${escape(group)}</h2><dl class="references">` + entries.toSorted(byLabel).map(({key, label, text}) =>
+    `<h2>${escape(group)}</h2><dl class="references">` + [...entries].sort(byLabel).map(({key, label, text}) =>
       `<div id="${key}"><dt>${escape(label)}</dt><dd>${prose(text, 'references.json')}</dd></div>`).join('') + '</dl>').join('');
 }
 
