@@ -79,9 +79,9 @@ unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [-7.90358565:6.70693205]
 set yrange [-2.64315924:10.9467538]
-set label "face" at -5.17014991,-1.51369656 left offset character 1.6,0 front tc rgb INK
-set label "edge" at -1.40536641,-1.51369656 left offset character 1.6,0 front tc rgb INK
-set label "vertex" at 2.35941709,-1.51369656 left offset character 1.6,0 front tc rgb INK
+set label "face" at -5.17014991,-1.51369656 left offset character 2.4,0 front tc rgb INK
+set label "edge" at -1.40536641,-1.51369656 left offset character 2.4,0 front tc rgb INK
+set label "vertex" at 2.35941709,-1.51369656 left offset character 2.4,0 front tc rgb INK
 $s0 << EOD
 -1.5941 9.3485
 -1.5408 9.6073

@@ -79,7 +79,7 @@ unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [-2.258:2.558]
 set yrange [-1.658:2.558]
-set label "as printed" at 0.565685425,1.36568542 right offset character -0.6,0.4 front tc rgb PINK
+set label "as printed" at 0.645685425,2.16568542 right offset character -0.4,0 front tc rgb PINK
 set label "corrected" at 0.8,-0.25 left offset character 0.8,-1.2 front tc rgb GREEN
 $s0 << EOD
 -2 -1.4

@@ -17,9 +17,12 @@ namespace first_contact::figure {
 /// The place of a diagram in its picture, fixed so that others can draw into it: its margins as parts of the
 /// picture from the left and from below, and its ranges.
 struct Diagram {
-  Size size;
+  Size size;  ///< of the whole picture
+  ///@{
+  /// Where the diagram ends, as a part of the picture.
   double left, right, bottom, top;
-  Eigen::AlignedBox2d range;
+  ///@}
+  Eigen::AlignedBox2d range;  ///< of x and y
 
   /// Where a point of the diagram is in the picture, in points from the upper left corner.
   Eigen::Vector2d pixel(const Eigen::Vector2d& p) const;
@@ -31,8 +34,8 @@ struct Diagram {
 
 /// Where something is at a time.
 struct Moment {
-  double time;
-  Eigen::Vector2d at;
+  double time;         ///< in the diagram's unit of time
+  Eigen::Vector2d at;  ///< in the diagram's units
 };
 
 /// The moments that are needed, so that what moves straight from one to the next is never more than

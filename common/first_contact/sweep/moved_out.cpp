@@ -73,8 +73,7 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
   const double length = e.norm();
   const double tolerance = rounding_of_distance * (m.norm() + length + moving.displacement.norm() + radius);
 
-  // e x turns the plane across the edge by a right angle and stretches it by |e|: the cylinder becomes a
-  // ball.
+  // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
   const auto entry =
       first_root(e.cross(m), e.cross(moving.displacement), length * radius, length * tolerance);
   if (!entry) return std::nullopt;
