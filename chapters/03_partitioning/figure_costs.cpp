@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t largest = 16384;
 
-// Rows of log_2 k and what was measured: depths of points, mean and deepest, then tests in octree and BSP tree.
+// Rows of log_2 k and what was measured: depths of points, mean and deepest, then tests in octree and BSP
+// tree.
 Table rows(Spread spread, std::uint64_t seed) {
   Table table;
   for (std::size_t k = 8; k <= largest; k *= 2) {

@@ -7,3 +7,8 @@
 void draw_moving_spheres_figures(const first_contact::program::Program& program,
                                  const first_contact::Moving<first_contact::Sphere>& p,
                                  const first_contact::Moving<first_contact::Sphere>& q);
+
+/// The distance of the centres as time goes by.
+void draw_distance(const first_contact::program::Program& program,
+                   const first_contact::Moving<first_contact::Sphere>& p,
+                   const first_contact::Moving<first_contact::Sphere>& q);

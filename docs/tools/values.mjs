@@ -75,6 +75,6 @@ export function formatted(value, form = '', inFormula = false) {
   const text = plain(value === 0 ? 0 : value, form);
   const [mantissa, exponent] = text.split('e');
   if (inFormula) return mantissa.replaceAll(',', '{,}') + (exponent ? `\\times 10^{${+exponent}}` : '');
-  const power = exponent ? ` × 10<sup>${String(+exponent).replace('-', '−')}</sup>` : '';
+  const power = exponent ? `\u00a0×\u00a010<sup>${String(+exponent).replace('-', '−')}</sup>` : '';
   return mantissa.replace('-', '−') + power;
 }

@@ -135,9 +135,18 @@ class Page {
     const path = fromRoot(resolve(dirname(this.source), target));
     shown.figures.push({path, page: this.id});
     if (alternative.length < 20) complain(this.where(index), `the figure ${name} needs an alternative text that tells what is seen`);
-    const svg = this.attempt(index, () => inlineFigure(path, `${this.id}-${name}`.replaceAll('_', '-'), alternative));
+    const svg = this.attempt(index, () => this.pictures(path, `${this.id}-${name}`.replaceAll('_', '-'), alternative));
     const words = this.asHtml(caption.replace(/^\{#[\w-]+\}\s*/, '').replace(/\s*\n\s*/g, ' '), index);
     return blockToken(`<figure id="figure-${name}">${svg}<figcaption><b>Figure&nbsp;${this.figureNumber(name, index)}.</b> ${words}</figcaption></figure>`);
+  }
+
+  // The picture, and, where the chapter draws it moving as well, that one: the style sheet shows one of the two.
+  pictures(path, prefix, alternative) {
+    const moving = path.replace(/\.svg$/, '-animated.svg'), still = inlineFigure(path, prefix, alternative);
+    if (!existsSync(join(root, moving))) return still;
+    shown.figures.push({path: moving, page: this.id});
+    return still.replace('<svg', '<svg class="rests"') +
+           inlineFigure(moving, prefix + '-moves', alternative).replace('<svg', '<svg class="moves"');
   }
 
   equation(tex, index) {

@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // The reading order of the library: a folder needs only those before it.
-const std::vector<std::string> order{"geometry", "sweep", "partition", "response", "motion", "figure", "program"};
+const std::vector<std::string> order{"geometry", "sweep",  "partition", "response",
+                                     "motion",   "figure", "program"};
 const std::size_t mathematics = 5;  // the first five are what a user gets with Eigen alone
 
 std::size_t rank(const std::string& folder) {
@@ -35,7 +36,8 @@ std::vector<Include> all_includes() {
     std::smatch match;
     for (std::string line; std::getline(in, line);)
       if (std::regex_search(line, match, form))
-        includes.push_back({entry.path(), entry.path().lexically_relative(library).begin()->string(), match[1]});
+        includes.push_back(
+            {entry.path(), entry.path().lexically_relative(library).begin()->string(), match[1]});
   }
   return includes;
 }
@@ -46,7 +48,8 @@ TEST_CASE("The reading order of the library is its dependency order") {
   const std::string own = "first_contact/";
   for (const Include& include : all_includes()) {
     if (!include.what.starts_with(own)) continue;
-    const std::string needed = include.what.substr(own.size(), include.what.find('/', own.size()) - own.size());
+    const std::string needed =
+        include.what.substr(own.size(), include.what.find('/', own.size()) - own.size());
     CAPTURE(include.file.string(), include.what);
     CHECK(rank(include.folder) < order.size());
     CHECK(rank(needed) <= rank(include.folder));

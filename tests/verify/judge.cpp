@@ -18,7 +18,8 @@ namespace {
 
 using FiftyDigits = boost::multiprecision::cpp_bin_float_50;
 
-/// What rounding may take from or add to the radius, for one triangle. \see bvh.hpp
+/// What rounding may take from or add to the radius, for one triangle.
+/// \see bvh.hpp
 double bound(const Triangle& t, const Moving<Sphere>& moving) {
   const auto& [s, r] = moving.shape;
   const double corner = std::max({(t.a - s).norm(), (t.b - s).norm(), (t.c - s).norm()});

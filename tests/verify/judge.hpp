@@ -36,7 +36,8 @@ bool same(const std::optional<Contact>& a, const std::optional<Contact>& b);
 
 /// Makes the surface and the casts of a seed, and judges all ways to the answer: the fast tree on this
 /// machine's instructions and on portable ones, one cast after the other and in a batch, and the plain tree.
-/// \param tallies  one for each aim \see surfaces.hpp
+/// \param tallies one for each aim
+/// \see surfaces.hpp
 void verify(std::uint64_t seed, int kind, int casts, Tally* tallies);
 
 }  // namespace judge

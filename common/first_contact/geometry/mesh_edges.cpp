@@ -101,8 +101,7 @@ EdgeKind kind_of(const Facet& first, const Facet& second, const Vector& along, b
   const double shape =
       first.longest * first.longest / first.length + second.longest * second.longest / second.length;
   const bool unbent = turn.norm() <= MeshEdges::flat_tolerance * shape * first.length * second.length;
-  if (unbent)
-    return first.normal.dot(other) > 0 ? EdgeKind::flat : EdgeKind::convex;  // or folded to a knife
+  if (unbent) return first.normal.dot(other) > 0 ? EdgeKind::flat : EdgeKind::convex;  // or folded to a knife
   return turn.dot(along) > 0 ? EdgeKind::convex : EdgeKind::concave;
 }
 //! [edge_kind]

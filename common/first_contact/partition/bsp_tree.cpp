@@ -96,8 +96,8 @@ class BspTree::Builder {
     thickness_ = thickness * all.largest_coordinate();
   }
 
-  // Makes a node of some pieces, and all below it. With a quota of pieces the tree cannot outgrow its limit: where
-  // it is used up, polygons that cross each other stay together in a leaf.
+  // Makes a node of some pieces, and all below it. With a quota of pieces the tree cannot outgrow its limit:
+  // where it is used up, polygons that cross each other stay together in a leaf.
   std::uint32_t build(std::vector<Piece> pieces, std::size_t quota, std::size_t depth) {
     const auto number = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_.emplace_back();
@@ -128,7 +128,7 @@ class BspTree::Builder {
   };
 
   //! [best_plane]
-  // Of some of the polygons, evenly chosen, the one whose plane divides best; none if no plane gets any further.
+  // Of some of the polygons, evenly chosen, the one whose plane divides best; none if none gets further.
   std::optional<Plane> best_plane(const std::vector<Piece>& pieces, std::size_t quota) const {
     std::optional<Plane> best;
     Division least;

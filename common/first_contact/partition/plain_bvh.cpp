@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t most_in_a_leaf = 4;
 constexpr std::size_t bins = 16;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// What the tests of triangles and of boxes round, in terms of all lengths in play: \see rounding_of_distance
+/// What the tests of triangles and of boxes round, in terms of all lengths in play:
+/// \see rounding_of_distance
 constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

@@ -16,9 +16,10 @@ namespace {
 /// A path that halves its distance from the truth in every step has reached it, in double, after this many.
 constexpr int enough_steps = 64;
 
-/// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the time is then
-/// wrong although the hit is not. The distance itself knows no normal, and falls along the path ever more slowly: Newton's
-/// steps lead to r from any time, and never beyond it from an earlier one. In nearly all cases none is needed.
+/// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the
+/// time is then wrong although the hit is not. The distance itself knows no normal, and falls along the path
+/// ever more slowly: Newton's steps lead to r from any time, and never beyond it from an earlier one. In
+/// nearly all cases none is needed.
 std::optional<double> settled(double t, const Moving<Sphere>& moving, const Triangle& triangle,
                               double tolerance) {
   const auto& [center, radius] = moving.shape;
@@ -72,8 +73,7 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
   const double length = e.norm();
   const double tolerance = rounding_of_distance * (m.norm() + length + moving.displacement.norm() + radius);
 
-  // e x turns the plane across the edge by a right angle and stretches it by |e|: the cylinder becomes a
-  // ball.
+  // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
   const auto entry =
       first_root(e.cross(m), e.cross(moving.displacement), length * radius, length * tolerance);
   if (!entry) return std::nullopt;

@@ -61,7 +61,8 @@ void FirstTouch::face(std::size_t number) {
     keep(*touch, {merged(corners[0]), merged(corners[1]), merged(corners[2])}, number);
 }
 
-/// Where the surface goes straight on, an edge is but a seam of its faces, unless they are too thin to answer for it.
+/// Where the surface goes straight on, an edge is but a seam of its faces, unless they are too thin to answer
+/// for it.
 bool FirstTouch::speaks_for_itself(const MeshEdges::Edge& edge) const {
   const auto sides = environment_.topology().sides(edge);
   return edge.kind != EdgeKind::flat ||

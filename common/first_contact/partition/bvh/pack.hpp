@@ -17,7 +17,8 @@ struct PackedTree {
   float leaf_size = 0;  ///< the mean of the longest side of the leaves' boxes
 };
 
-/// Writes the binary tree as a wide one: \see layout.hpp for the form, collapse.hpp for the choice.
+/// Writes the binary tree as a wide one:
+/// \see layout.hpp for the form, collapse.hpp for the choice.
 ///
 /// The idea: every rounding goes outward. A box is stored in 256 steps of its parent's, a slab in 65,536; low
 /// sides are rounded down and high sides up, so that what is stored holds what it stands for.
