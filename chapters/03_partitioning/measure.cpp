@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/partition/objects.hpp"
+
 using namespace first_contact;
 
 namespace {
@@ -34,3 +36,19 @@ Depth depth_of_objects(const Octree& tree) {
 }
 
 double log8(std::size_t k) { return k < 1 ? 0 : std::log2(static_cast<double>(k)) / 3; }
+
+//! [overlapping_pairs]
+Pairs overlapping_pairs(const std::vector<Bounds>& boxes) {
+  const Objects<Octree> objects(boxes);
+  const Octree& tree = objects.tree();
+  Pairs count{pairs(objects).size(), 0};
+  for (std::size_t number = 0; number < tree.nodes(); ++number) {
+    const Octree::Node& leaf = tree.node(number);
+    if (!leaf.is_leaf()) continue;
+    for (std::uint32_t i = leaf.begin; i < leaf.end; ++i)
+      for (std::uint32_t j = leaf.begin; j < i; ++j)
+        count.in_one_leaf += overlap(boxes[tree.order()[i]], boxes[tree.order()[j]]);
+  }
+  return count;
+}
+//! [overlapping_pairs]

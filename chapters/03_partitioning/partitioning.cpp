@@ -1,4 +1,5 @@
 // Chapter 3: who could be hit at all? An octree, a BSP tree, and hit tests (paper, 1.4, 2.4.1).
+#include <algorithm>
 #include <cstdio>
 #include <numbers>
 
@@ -153,6 +154,54 @@ void tell_hit_tests(Report& report) {
 }
 //! [report]
 
+//! [notes]
+// Numbers that the notes speak of: what a flight costs, ...
+void note_costs(Program& program, const Costs& costs, const std::vector<Triangle>& triangles) {
+  const auto note = [&](const std::string& name, const Cost& cost) {
+    program.value(name + ".per_flight", cost.per_flight(cost.tests));
+    program.value(name + ".looked_at", cost.per_flight(cost.looked_at));
+    program.value(name + ".times_fewer",
+                  costs.brute_force.per_flight(costs.brute_force.tests) / cost.per_flight(cost.tests));
+  };
+  note("in_octree", costs.octree);
+  note("in_bsp", costs.bsp);
+  program.value("hits", static_cast<double>(costs.brute_force.hits));
+  program.value("all_tests", static_cast<double>(costs.brute_force.tests));
+  program.value("log8", log8(costs.objects));
+  const double pieces = static_cast<double>(BspTree(triangles).order().size());
+  program.value("pieces", pieces / std::max<double>(1, static_cast<double>(costs.objects)));
+  program.value("octree_node", sizeof(Octree::Node));
+  program.value("bsp_node", sizeof(BspTree::Node));
+  program.value("margin", search_margin);
+}
+
+// ... how deep objects lie, and what goes wrong.
+void note_depths(Program& program, std::uint64_t seed) {
+  for (const Spread spread : {Spread::even, Spread::clustered})
+    for (const std::size_t k : {8U, 64U, 512U, 4096U}) {
+      const Depth depth = depth_of_objects(Octree(points(k, spread, seed), OctreeLimits{1, 20}));
+      const std::string name = (spread == Spread::even ? "even." : "clustered.") + std::to_string(k);
+      program.value(name + ".mean", depth.mean);
+      program.value(name + ".deepest", static_cast<double>(depth.deepest));
+    }
+}
+
+void note_faults(Program& program, std::uint64_t seed) {
+  for (const double degrees : {45.0, 15.0, 5.0}) {
+    const Wedge wedge{degrees * std::numbers::pi / 180};
+    const auto time = time_at_grown_planes({{{0, 0, 16}, 1}, {0, 0, -16}}, wedge);
+    program.value("grown." + readable(degrees), 16 - 16 * *time);
+  }
+  std::vector<Bounds> boxes;
+  for (const Triangle& shard : shards(1000, Spread::even, seed)) boxes.push_back(bounds_of(shard));
+  const Pairs pairs = overlapping_pairs(boxes);
+  program.value("pairs.all", static_cast<double>(pairs.all));
+  program.value("pairs.found", static_cast<double>(pairs.in_one_leaf));
+  program.value("pairs.lost", static_cast<double>(pairs.all - pairs.in_one_leaf));
+}
+//! [notes]
+
+//! [results]
 Json to_json(const Cost& cost) {
   return {{"nodes", cost.nodes}, {"depth", cost.depth}, {"tests", cost.tests}, {"hits", cost.hits}};
 }
@@ -160,6 +209,8 @@ Json to_json(const Cost& cost) {
 std::string at_most_a_million(double value) {
   return value >= 0 && value <= 1e6 ? "" : "must be from 0 to 1000000";
 }
+
+//! [results]
 
 void draw_figures(const Program& program, std::uint64_t seed) {
   draw_octree(program.studio());
@@ -217,6 +268,9 @@ int main(int argc, char** argv) {
                       {"bsp", to_json(costs.bsp)},
                       {"brute_force", to_json(costs.brute_force)},
                       {"same", costs.agree()}};
+    note_costs(program, costs, triangles);
+    note_depths(program, seed);
+    note_faults(program, seed);
     if (program.draws()) draw_figures(program, seed);
   });
 }

@@ -128,8 +128,7 @@ class BspTree::Builder {
   };
 
   //! [best_plane]
-  // Of some of the polygons, evenly chosen, the one whose plane divides best; none if no plane gets any
-  // further.
+  // Of some of the polygons, evenly chosen, the one whose plane divides best; none if none gets further.
   std::optional<Plane> best_plane(const std::vector<Piece>& pieces, std::size_t quota) const {
     std::optional<Plane> best;
     Division least;
