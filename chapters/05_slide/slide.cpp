@@ -102,7 +102,7 @@ void tell_gap(Report& report) {
     const Moving<Sphere> ball{{{0, 0, 2}, 1}, {2 / std::tan(angle), 0, -2}};
     const double gap = slide_gap * (2 + std::max(2.0, 2 / std::tan(angle)));
     const double kept = (slide(ball, level).positions[1].z() - 1) / gap;
-    report.row("at " + readable(degrees) + " degrees",
+    report.row("at " + readable(degrees) + (degrees == 1 ? " degree" : " degrees"),
                readable(std::sin(angle)) + " g, " + readable(std::round(kept * 100) / 100) + " g",
                {"height above the wall: along the path, along the normal", "離牆高度：沿路徑、沿法向量"});
   }

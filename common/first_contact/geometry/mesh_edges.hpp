@@ -91,4 +91,12 @@ class MeshEdges {
 /// Does a point come before another in the order of x, then y, then z?
 bool comes_before(const Point& p, const Point& q);
 
+/// How two faces meet along the first one's side, which goes `along`. `opposed` says that they go along the
+/// edge in opposite directions, as faces do whose normals point to the same side of the surface.
+EdgeKind kind_of(const Facet& first, const Facet& second, const Vector& along, bool opposed);
+
+/// Is a vertex with these edges (vectors away from it, of unit length) buried?
+/// \see MeshEdges::buried
+bool buried_by(const std::vector<Vector>& edges);
+
 }  // namespace first_contact

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/line_triangle.hpp"
+#include "first_contact/geometry/mesh_edges.hpp"
 #include "first_contact/sweep/first_root.hpp"
 
 namespace first_contact {
@@ -98,5 +100,14 @@ std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& ver
   return Touch{entry->time, distance, entry->direction, vertex, Feature::vertex, tolerance};
 }
 //! [touch_vertex]
+
+bool earlier(const Touch& a, const Touch& b) {
+  const auto key = [](const Touch& touch) {
+    return std::make_tuple(touch.time, touch.feature, touch.distance);
+  };
+  if (key(a) != key(b)) return key(a) < key(b);
+  if (a.point != b.point) return comes_before(a.point, b.point);
+  return comes_before(a.normal, b.normal);
+}
 
 }  // namespace first_contact

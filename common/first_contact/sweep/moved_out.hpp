@@ -43,4 +43,8 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
 /// The centre enters the sphere of radius r about a vertex.
 std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& vertex);
 
+/// The smallest time wins; of equal times the face before the edge before the vertex, and then what is
+/// nearer. Beyond that any fixed order will do that does not depend on the numbers of the triangles.
+bool earlier(const Touch& a, const Touch& b);
+
 }  // namespace first_contact

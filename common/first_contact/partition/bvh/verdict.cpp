@@ -1,0 +1,195 @@
+#include "first_contact/partition/bvh/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+#include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/geometry/mesh_edges.hpp"
+#include "first_contact/sweep/nearest.hpp"
+
+namespace first_contact::bvh {
+
+namespace {
+
+bool has(const Mesh::Face& face, std::uint32_t vertex) {
+  return face[0] == vertex || face[1] == vertex || face[2] == vertex;
+}
+
+/// Does the point lie within the triangle's box, to the tolerance? Much quicker than the nearest point.
+bool in_box(const Point& p, const Point& a, const Point& b, const Point& c, double tolerance) {
+  const Vector low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  return (p.array() >= low.array() - tolerance).all() && (p.array() <= high.array() + tolerance).all();
+}
+
+}  // namespace
+
+template <class Key>
+bool Verdict::Recent<Key>::seen(const Key& k) {
+  const std::size_t filled = std::min(count, key.size());
+  for (std::size_t i = 0; i < filled; ++i)
+    if (key[i] == k) return true;
+  key[count++ % key.size()] = k;
+  return false;
+}
+
+void Verdict::consider(std::uint32_t number, const Mesh::Face& corners, unsigned features) {
+  considered_.add(number);
+  if (features == 0) return;
+  const auto& [a, b, c] = corners;
+  if (features & 1)
+    keep(touch_face(moving_, Facet({position(a), position(b), position(c)})), corners, number);
+  for (std::size_t slot = 0; slot < 3; ++slot)
+    if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
+  for (std::size_t slot = 0; slot < 3; ++slot)
+    if (features & 16u << slot) consider_vertex(corners[slot]);
+}
+
+void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {
+  const auto [low, high] = std::minmax(p, q);
+  if (low == high || edges_.seen(std::uint64_t{low} << 32 | high)) return;
+  const bool turned = comes_before(position(high), position(low));
+  const std::uint32_t from = turned ? high : low, to = turned ? low : high;
+  const auto touch = touch_edge(moving_, position(from), position(to));
+  if (!too_late(touch)) keep_edge(*touch, from, to);
+}
+
+void Verdict::consider_vertex(std::uint32_t vertex) {
+  if (vertices_seen_.seen(vertex)) return;
+  const auto touch = touch_vertex(moving_, position(vertex));
+  if (!too_late(touch)) keep_vertex(*touch, vertex);
+}
+
+//! [clearly_nearest]
+/// Do all faces around a touched vertex (from = to) or edge bend away from the sphere by much more than
+/// rounding? Then none of them is nearer, none has the touch's normal, the edge is not flat and the vertex is
+/// not buried: the normal itself shows the way out. What is not clear goes to the functions that weigh the
+/// rounding.
+bool Verdict::clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
+  constexpr double much = 1e-6;  // radians
+  // The angle up to which nearest.cpp takes two directions for one, twice over.
+  const double in_doubt = 2 * std::sqrt(touch.tolerance * (2 * touch.distance + touch.tolerance));
+  if (!(in_doubt < 0.5 * touch.distance)) return false;
+  const double sine = std::max(much, in_doubt / touch.distance);
+  const double edge = (position(to) - position(from)).squaredNorm();
+  for (const std::uint32_t number : neighbours_.faces_at(from)) {
+    const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
+    if (!has(corners, to)) continue;
+    for (const std::uint32_t corner : corners) {
+      if (corner == from || corner == to) continue;
+      const Vector away = position(corner) - position(from);
+      const double down = touch.normal.dot(away);
+      if (!(down < 0 && down * down > sine * sine * std::max(edge, away.squaredNorm()))) return false;
+    }
+  }
+  return true;
+}
+//! [clearly_nearest]
+
+/// The lowest number of a face with this edge, or, if from = to, vertex.
+std::uint32_t Verdict::first_face(std::uint32_t from, std::uint32_t to) const {
+  for (const std::uint32_t face : neighbours_.faces_at(from))
+    if (has(neighbours_.corners(mesh_.faces()[face]), to)) return face;
+  return 0;
+}
+
+/// Does the surface go straight on from one face to the other, so that their edge is but a seam?
+bool Verdict::is_seam(const std::vector<Facet>& facets, const std::vector<Vector>& along) const {
+  const auto thin = [&](const Facet& facet) { return facet.thin_for(moving_.shape.radius); };
+  if (facets.size() != 2 || thin(facets[0]) || thin(facets[1])) return false;
+  return kind_of(facets[0], facets[1], along[0], along[0].dot(along[1]) < 0) == EdgeKind::flat;
+}
+
+void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to) {
+  const std::array<std::uint32_t, 3> vertices{from, to, to};
+  if (clearly_nearest(touch, from, to)) return keep(touch, vertices, first_face(from, to));
+
+  std::vector<MeshEdges::Side> sides;
+  for (const std::uint32_t face : neighbours_.faces_at(from)) {
+    const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
+    for (std::uint32_t slot = 0; slot < 3; ++slot) {
+      const std::uint32_t p = corners[slot], q = corners[(slot + 1) % 3];
+      if ((p == from && q == to) || (p == to && q == from)) sides.push_back({face, slot});
+    }
+  }
+  std::vector<Facet> facets;
+  std::vector<FaceAround> faces;
+  std::vector<Vector> along;
+  facets.reserve(sides.size());
+  for (const auto& [face, slot] : sides) {
+    const Facet& facet = facets.emplace_back(mesh_.triangle(face));
+    const std::array<Point, 3> corners{facet.triangle.a, facet.triangle.b, facet.triangle.c};
+    along.emplace_back(corners[(slot + 1) % 3] - corners[slot]);
+    faces.push_back({&facet, facet.normal.cross(along.back())});
+  }
+  const auto judged = among_faces(touch, faces, moving_);
+  if (!judged || (judged->feature == Feature::edge && is_seam(facets, along))) return;
+  keep(judged, vertices, sides[0].face);
+}
+
+void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
+  const auto around = neighbours_.faces_at(vertex);
+  if (clearly_nearest(touch, vertex, vertex)) return keep(touch, {vertex, vertex, vertex}, around[0]);
+
+  std::vector<std::uint32_t> others;
+  std::vector<Facet> facets;
+  std::vector<FaceAround> faces;
+  facets.reserve(around.size());
+  for (const std::uint32_t face : around) {
+    for (const std::uint32_t corner : neighbours_.corners(mesh_.faces()[face]))
+      if (corner != vertex) others.push_back(corner);
+    faces.push_back({&facets.emplace_back(mesh_.triangle(face)), Vector::Zero()});
+  }
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  std::vector<Vector> edges, directions;
+  for (const std::uint32_t other : others) {
+    edges.emplace_back(position(other) - position(vertex));
+    directions.emplace_back(edges.back().normalized());
+  }
+  const auto judged = among_edges(touch, edges, faces, moving_);
+  if (!judged || (judged->feature == Feature::vertex && !edges.empty() && buried_by(directions))) return;
+  keep(judged, {vertex, vertex, vertex}, around[0]);
+}
+
+void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face) {
+  if (!touch) return;
+  if (first_ && !earlier(*touch, *first_)) {
+    const bool alike = !earlier(*first_, *touch);
+    if (!alike || std::tie(face, vertices) >= std::tie(face_, vertices_)) return;
+  }
+  first_ = touch;
+  vertices_ = vertices;
+  face_ = face;
+}
+
+/// Does a face at one of the touched feature's vertices reach the touched point?
+bool Verdict::reaches(std::uint32_t face, double tolerance) const {
+  const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
+  const bool u = has(corners, vertices_[0]), v = has(corners, vertices_[1]), w = has(corners, vertices_[2]);
+  if (u && v && w) return true;  // it has all of the feature
+  const auto& [a, b, c] = corners;
+  return (u || v || w) && in_box(first_->point, position(a), position(b), position(c), tolerance) &&
+         (closest_point(first_->point, mesh_.triangle(face)) - first_->point).norm() <= tolerance;
+}
+
+/// The lowest number of the triangles around the touched feature that reach the touched point. As they reach
+/// it, all of them were considered.
+std::uint32_t Verdict::lowest_triangle() const {
+  const double tolerance = first_->tolerance + rounding_of_distance * first_->point.cwiseAbs().maxCoeff();
+  std::uint32_t lowest = face_;
+  const auto lower = [&](std::uint32_t face) {
+    if (face < lowest && reaches(face, tolerance)) lowest = face;
+  };
+  std::for_each_n(considered_.first.begin(), considered_.count, lower);
+  std::for_each(considered_.more.begin(), considered_.more.end(), lower);
+  return lowest;
+}
+
+std::optional<Contact> Verdict::contact() const {
+  if (!first_) return std::nullopt;
+  return Contact{first_->time, first_->point, first_->normal, first_->feature, lowest_triangle()};
+}
+
+}  // namespace first_contact::bvh
