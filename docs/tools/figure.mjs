@@ -16,7 +16,7 @@ function withoutUnused(svg) {
   const used = (id) => svg.includes(`#${id}'`) || svg.includes(`#${id}"`) || svg.includes(`#${id})`);
   for (let before = ''; before !== svg;) {
     before = svg;
-    svg = svg.replace(/[ \t]*<(path|circle|rect|use|filter)\b[^>]*\bid=['"]([^'"]+)['"][^>]*(?:\/>|>[\s\S]*?<\/\1>)\s*/g,
+    svg = svg.replace(/[ \t]*<(path|circle|rect|use|filter)\b[^>]*\bid=['"]([^'"]+)['"][^>]*?(?:\/>|>[\s\S]*?<\/\1>)\s*/g,
                       (whole, tag, id) => used(id) ? whole : '');
   }
   return svg;

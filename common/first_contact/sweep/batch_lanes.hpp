@@ -1,0 +1,60 @@
+#pragma once
+#if defined(__AVX2__) && defined(__FMA__)
+#include <immintrin.h>
+#endif
+
+/// \file
+/// Four doubles that are added, compared and chosen from as one, where the processor can; and one double, by
+/// the same names.
+///
+/// The compiler's vector types know + - * / and the comparisons; what they have no sign for is written here.
+/// Each operation is rounded once, as IEEE 754 has it, whichever of the two types it is for: so the results
+/// are equal.
+///
+/// All has internal linkage, and nothing of the standard library is used: what is compiled for AVX2 must not
+/// be taken by the linker for what runs everywhere.
+
+namespace first_contact::batch {
+namespace {
+
+inline double read(const double* from, double) { return *from; }
+inline void write(double* to, double a) { *to = a; }
+inline double all(double a, double) { return a; }
+inline double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }
+inline double root(double a) { return __builtin_sqrt(a); }
+inline double magnitude(double a) { return __builtin_fabs(a); }
+/// 1 with the sign of a.
+inline double sign(double a) { return __builtin_copysign(1.0, a); }
+inline double choose(bool which, double yes, double no) { return which ? yes : no; }
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+typedef double Doubles __attribute__((vector_size(32)));
+typedef long long Longs __attribute__((vector_size(32)));
+
+inline Doubles read(const double* from, Doubles) { return (Doubles)_mm256_loadu_pd(from); }
+inline void write(double* to, Doubles a) { _mm256_storeu_pd(to, (__m256d)a); }
+inline Doubles all(double a, Doubles) { return Doubles{a, a, a, a}; }
+inline Doubles fused(Doubles a, Doubles b, Doubles c) {
+  return (Doubles)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+}
+inline Doubles root(Doubles a) { return (Doubles)_mm256_sqrt_pd((__m256d)a); }
+inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
+inline Doubles sign(Doubles a) {
+  const Doubles one = all(1.0, a);
+  return (Doubles)((Longs)one | ((Longs)a ^ (Longs)magnitude(a)));
+}
+inline Doubles choose(Longs which, Doubles yes, Doubles no) {
+  return (Doubles)_mm256_blendv_pd((__m256d)no, (__m256d)yes, (__m256d)which);
+}
+using Widest = Doubles;
+
+#else
+using Widest = double;
+#endif
+
+/// How many doubles are taken at once.
+constexpr unsigned lanes = sizeof(Widest) / sizeof(double);
+
+}  // namespace
+}  // namespace first_contact::batch
