@@ -20,12 +20,16 @@ namespace first_contact {
 /// triangle is in two of them.
 class PlainBvh {
  public:
+  /// Cuts boxes until few triangles are left in each.
   explicit PlainBvh(Mesh mesh);
 
+  /// The surface.
   const Mesh& mesh() const { return mesh_; }
+  /// What lies around each of its edges and vertices.
   const bvh::Neighbours& neighbours() const { return neighbours_; }
-  /// The number of boxes, and of levels.
+  /// The number of boxes.
   std::size_t size() const { return nodes_.size(); }
+  /// The number of levels.
   int depth() const;
 
   /// Calls consider(triangle) for the triangles that the moving sphere may touch, the nearest boxes first. It

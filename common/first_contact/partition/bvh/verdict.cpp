@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -15,6 +16,16 @@ namespace {
 
 bool has(const Mesh::Face& face, std::uint32_t vertex) {
   return face[0] == vertex || face[1] == vertex || face[2] == vertex;
+}
+
+/// Is a face with these two sides far from being too thin to answer for itself (\see Facet::thin_for), and
+/// its normal right to much less than a millionth?
+bool clearly_thick(const Vector& u, const Vector& v, double radius) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  const double longest2 = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  const double thin =
+      std::max(1e-12 * longest2, 4 * eps * radius * std::sqrt(longest2));  // squares of its height
+  return u.cross(v).squaredNorm() > thin * longest2;
 }
 
 /// Does the point lie within the triangle's box, to the tolerance? Much quicker than the nearest point.
@@ -61,31 +72,35 @@ void Verdict::consider_vertex(std::uint32_t vertex) {
   if (!too_late(touch)) keep_vertex(*touch, vertex);
 }
 
-//! [clearly_nearest]
-/// Do all faces around a touched vertex (from = to) or edge bend away from the sphere by much more than
-/// rounding? Then none of them is nearer, none has the touch's normal, the edge is not flat and the vertex is
-/// not buried: the normal itself shows the way out. What is not clear goes to the functions that weigh the
-/// rounding.
-bool Verdict::clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
+//! [surroundings]
+/// Where do the faces around a touched vertex (from = to) or edge lead, by much more than rounding? If all
+/// bend away from the sphere, then none of them is nearer, none has the touch's normal, the edge is not flat
+/// and the vertex is not buried: the normal itself shows the way out. If one comes nearer, something else is
+/// touched before. What is not clear goes to the functions that weigh the rounding.
+Verdict::Surroundings Verdict::surroundings(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
   constexpr double much = 1e-6;  // radians
   // The angle up to which nearest.cpp takes two directions for one, twice over.
   const double in_doubt = 2 * std::sqrt(touch.tolerance * (2 * touch.distance + touch.tolerance));
-  if (!(in_doubt < 0.5 * touch.distance)) return false;
+  if (!(in_doubt < 0.5 * touch.distance)) return Surroundings::in_doubt;
   const double sine = std::max(much, in_doubt / touch.distance);
-  const double edge = (position(to) - position(from)).squaredNorm();
+  const Vector edge = position(to) - position(from);
+  bool all_away = true;
   for (const std::uint32_t number : neighbours_.faces_at(from)) {
     const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
     if (!has(corners, to)) continue;
     for (const std::uint32_t corner : corners) {
       if (corner == from || corner == to) continue;
-      const Vector away = position(corner) - position(from);
-      const double down = touch.normal.dot(away);
-      if (!(down < 0 && down * down > sine * sine * std::max(edge, away.squaredNorm()))) return false;
+      const Vector way = position(corner) - position(from);
+      const double rise = touch.normal.dot(way);
+      const bool clear = rise * rise > sine * sine * std::max(edge.squaredNorm(), way.squaredNorm());
+      if (clear && rise > 0 && (from == to || clearly_thick(edge, way, moving_.shape.radius)))
+        return Surroundings::lead_nearer;
+      all_away = all_away && clear && rise < 0;
     }
   }
-  return true;
+  return all_away ? Surroundings::lead_away : Surroundings::in_doubt;
 }
-//! [clearly_nearest]
+//! [surroundings]
 
 /// The lowest number of a face with this edge, or, if from = to, vertex.
 std::uint32_t Verdict::first_face(std::uint32_t from, std::uint32_t to) const {
@@ -103,7 +118,9 @@ bool Verdict::is_seam(const std::vector<Facet>& facets, const std::vector<Vector
 
 void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to) {
   const std::array<std::uint32_t, 3> vertices{from, to, to};
-  if (clearly_nearest(touch, from, to)) return keep(touch, vertices, first_face(from, to));
+  const Surroundings around = surroundings(touch, from, to);
+  if (around == Surroundings::lead_nearer) return;
+  if (around == Surroundings::lead_away) return keep(touch, vertices, first_face(from, to));
 
   std::vector<MeshEdges::Side> sides;
   for (const std::uint32_t face : neighbours_.faces_at(from)) {
@@ -130,7 +147,9 @@ void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to
 
 void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
   const auto around = neighbours_.faces_at(vertex);
-  if (clearly_nearest(touch, vertex, vertex)) return keep(touch, {vertex, vertex, vertex}, around[0]);
+  const Surroundings clear = surroundings(touch, vertex, vertex);
+  if (clear == Surroundings::lead_nearer) return;
+  if (clear == Surroundings::lead_away) return keep(touch, {vertex, vertex, vertex}, around[0]);
 
   std::vector<std::uint32_t> others;
   std::vector<Facet> facets;

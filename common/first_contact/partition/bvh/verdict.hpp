@@ -62,7 +62,8 @@ class Verdict {
   const Point& position(std::uint32_t vertex) const { return mesh_.vertices()[vertex]; }
   void consider_edge(std::uint32_t p, std::uint32_t q);
   void consider_vertex(std::uint32_t vertex);
-  bool clearly_nearest(const Touch& touch, std::uint32_t from, std::uint32_t to) const;
+  enum class Surroundings { lead_away, lead_nearer, in_doubt };
+  Surroundings surroundings(const Touch& touch, std::uint32_t from, std::uint32_t to) const;
   std::uint32_t first_face(std::uint32_t from, std::uint32_t to) const;
   bool is_seam(const std::vector<Facet>& facets, const std::vector<Vector>& along) const;
   void keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face);
