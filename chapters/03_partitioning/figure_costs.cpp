@@ -56,7 +56,7 @@ do for [c = 0:1] {
   set yrange [0:20]
   set ytics 0, 5 font ",14"
   if (c == 1) { set format y "" }
-  set label 1 (c == 0 ? steps : "") at graph -0.13, 1.08 left font ",16" tc rgb INK
+  set label 1 (c == 0 ? steps : "") at graph -0.13, 1.1 left font ",16" tc rgb INK
   set label 2 (c == 0 ? evenly : crowded) at screen 0.5 * (left(c) + right(c)), screen 0.975 center font ",17" tc rgb GREY
   if (c == 1) {
     set label 3 "log_2 {/:Italic k}" at 14.2, 14.2 left font ",14" tc rgb GREY
@@ -76,7 +76,7 @@ do for [c = 0:1] {
     set label 4 "BVH" at 14.2, 6.05 left font ",14" tc rgb GREEN
     set label 5 in_octree at 14.2, 3.1 left font ",14" tc rgb BLUE
   }
-  set label 1 (c == 0 ? building : "") at graph -0.13, 1.08 left font ",16" tc rgb INK
+  set label 1 (c == 0 ? building : "") at graph -0.13, 1.1 left font ",16" tc rgb INK
   plot for [t = 0:2] $both index c using 1:(log2(column(5 + t))) with linespoints lc rgb shade(t) lw 2.2 pt 7 ps 0.45
   unset label
 
@@ -87,7 +87,7 @@ do for [c = 0:1] {
   set yrange [0:14]
   set ytics ("1" 0, "8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
   if (c == 1) { set ytics ("" 0, "" 3, "" 6, "" 9, "" 12) }
-  set label 1 (c == 0 ? tests : "") at graph -0.13, 1.08 left font ",16" tc rgb INK
+  set label 1 (c == 0 ? tests : "") at graph -0.13, 1.1 left font ",16" tc rgb INK
   set label 2 (c == 0 ? none : "") at 10.6, 12.2 right font ",14" tc rgb GREY
   plot [3:14] x with lines lc rgb GREY lw 1.6 dt (6,5), \
    for [t = 0:2] $both index c using 1:(log2(column(8 + t))) with linespoints lc rgb shade(t) lw 2.2 pt 7 ps 0.45
