@@ -234,6 +234,7 @@ void draw_figures(const Program& program, std::uint64_t seed) {
   draw_grown_planes(program.studio());
   draw_hit_tests(program.studio());
   draw_costs(program, seed);
+  draw_support(program.studio());
 }
 
 //! [scene]

@@ -375,13 +375,13 @@ set tmargin at screen 0.935
 set bmargin at screen 0.565
 set xrange [0:10]
 set xtics 0, 2 font ",14"
-set yrange [-17:2]
+set yrange [-17:0]
 set ytics -16, 4 font ",14"
 set format y "10^{%.0f}"
 set label 1 error at graph -0.08, 1.08 left font ",16" tc rgb INK
 set label 2 book_s at 3.2, -2.2 right font ",15" tc rgb PINK
-set label 3 stable_s at 4.6, -8.6 right font ",15" tc rgb GREEN
-set label 4 book_d at 6.1, -5.4 right font ",15" tc rgb PINK
+set label 3 stable_s at 6.3, -6.2 right font ",15" tc rgb GREEN
+set label 4 book_d at 5.2, -9.5 right font ",15" tc rgb PINK
 set label 5 stable_d at 6.3, -14.4 left font ",15" tc rgb GREEN
 set xlabel distance font ",16" offset 0, 0.4
 plot $book_single using 1:2 with lines lc rgb PINK lw 2.2 dt (8,5), \
