@@ -329,6 +329,19 @@ TEST_CASE("Every box of a tree of boxes holds its two children, and every object
   });
 }
 
+TEST_CASE(
+    "To build a tree no object is looked at more often than once a level for each question asked of it") {
+  rc::prop("for any arrangement of triangles", [] {
+    const World w = world();
+    const std::size_t k = w.shards.size();
+    const Octree octree(w.shards, octree_limits());
+    const BoxTree boxes(std::span<const Triangle>(w.shards));
+    RC_ASSERT(octree.work() <= k * octree.depth());    // in which eighth?
+    RC_ASSERT(boxes.work() <= 4 * k * boxes.depth());  // in which bin, along three axes; and its box
+    RC_ASSERT(BruteForce(w.shards).work() == 0U);
+  });
+}
+
 TEST_CASE("A tree never tests more objects than there are, and counts as many hits as it finds") {
   rc::prop("for any arrangement of triangles", [] {
     const World w = world();
