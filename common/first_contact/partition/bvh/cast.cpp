@@ -20,10 +20,7 @@ constexpr double error_per_length = 256 * eps;
 }  // namespace
 
 Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
-    : parts_(surface),
-      walker_(walk),
-      tree_(surface.tree()),
-      verdict_(surface.mesh, surface.neighbours, moving) {
+    : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(*surface.surface, moving) {
   const auto& [center, radius] = moving.shape;
   const Vector& v = moving.displacement;
   question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius};
@@ -70,11 +67,12 @@ void Cast::note_latest() {
 }
 
 void Cast::consider(const Place& place) {
-  const auto& vertices = parts_.mesh.vertices();
+  const Surface& surface = *parts_.surface;
   const auto& [a, b, c] = place.corner;
-  const unsigned features = walker_.features_in_time(question_, vertices[a].data(), vertices[b].data(),
-                                                     vertices[c].data(), std::min(verdict_.latest(), 1.0));
-  verdict_.consider(place.number, {a, b, c}, features);
+  const unsigned features =
+      walker_.features_in_time(question_, surface.position(a).data(), surface.position(b).data(),
+                               surface.position(c).data(), std::min(verdict_.latest(), 1.0));
+  verdict_.consider(place, features);
   if (features != 0) note_latest();
 }
 
@@ -83,13 +81,12 @@ void Cast::decide() {
   const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
     for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
-      __builtin_prefetch(&parts_.mesh.vertices()[vertex]);
+      __builtin_prefetch(&parts_.surface->position(vertex));
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
-    if (trace) trace->push_back(places[nearest].number);
     consider(places[nearest]);
     left &= ~(1u << nearest);
   }

@@ -16,7 +16,6 @@ class Cast {
   /// Goes on by one node or leaf. \returns whether there is more to do
   bool step();
   std::optional<Contact> contact() const { return verdict_.contact(); }
-  std::vector<std::uint32_t>* trace = nullptr;
 
  private:
   bool enter(const Moving<Sphere>& moving, const Space& space);
