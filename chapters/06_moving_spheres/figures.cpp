@@ -206,4 +206,5 @@ void draw_moving_spheres_figures(const program::Program& program, const Moving<S
   draw_contact(program.studio());
   if (p.displacement != q.displacement) draw_closest_approach(program.studio(), p, q);
   draw_far_away(program);
+  draw_growth(program);
 }
