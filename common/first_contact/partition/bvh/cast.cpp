@@ -76,6 +76,7 @@ void Cast::consider(const Place& place) {
   if (features != 0) note_latest();
 }
 
+//! [decide]
 /// The nearest first: often it makes the others too late.
 void Cast::decide() {
   const Place* places = tree_.places + walk_.leaf->first;
@@ -91,6 +92,7 @@ void Cast::decide() {
     left &= ~(1u << nearest);
   }
 }
+//! [decide]
 
 void Cast::run() {
   if (!near_) return;
