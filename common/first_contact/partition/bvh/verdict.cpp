@@ -57,6 +57,13 @@ void Verdict::consider(const Place& place, unsigned features) {
     if (features & 16u << slot) consider_vertex(corners[slot]);
 }
 
+void Verdict::forget() {
+  first_.reset();
+  considered_.count = 0;
+  considered_.more.clear();
+  edges_.count = vertices_seen_.count = 0;
+}
+
 void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {
   const auto [low, high] = std::minmax(p, q);
   if (low == high || edges_.seen(std::uint64_t{low} << 32 | high)) return;

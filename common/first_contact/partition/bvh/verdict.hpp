@@ -28,6 +28,8 @@ class Verdict {
   void consider(const Place& place, unsigned features);
   /// All of them.
   void consider(const Place& place) { consider(place, 127); }
+  /// Begins once more, as if nothing had been considered.
+  void forget();
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
   std::optional<Contact> contact() const;
