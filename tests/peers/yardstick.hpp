@@ -65,7 +65,8 @@ struct Hit {
 
 inline Hit sweep(const Moving<Sphere>& moving, const PlainBvh& tree) {
   Hit hit;
-  tree.visit(moving, [&](std::uint32_t number) {
+  tree.visit(moving, [&](std::uint32_t place) {
+    const std::uint32_t number = tree.surface().places()[place].number;
     const double t = sweep(moving, tree.mesh().triangle(number));
     if (t < hit.time) hit = {t, number};
     return hit.time;

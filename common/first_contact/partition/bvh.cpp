@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <stdexcept>
 #include <vector>
 
@@ -10,10 +11,13 @@
 
 namespace first_contact {
 
-Bvh::Parts::Parts(Mesh surface) : mesh(std::move(surface)), space(mesh), neighbours(mesh) {
+Bvh::Parts::Parts(Mesh triangles) : mesh(std::move(triangles)), space(mesh) {
+  const bvh::Merged merged(mesh);
   bvh::BinaryTree binary;
-  if (mesh.size() > 0) binary = bvh::split(mesh, space, neighbours);
-  packed = bvh::pack(binary, mesh, space, neighbours);
+  if (mesh.size() > 0) binary = bvh::split(mesh, space, merged);
+  auto ordered = std::async(std::launch::async, [&] { surface.emplace(mesh, merged, binary.order); });
+  packed = bvh::pack(binary, mesh, space, merged);
+  ordered.get();
 }
 
 Bvh::Bvh(Mesh mesh) {
@@ -30,8 +34,7 @@ const Mesh& Bvh::mesh() const { return parts_->mesh; }
 
 std::size_t Bvh::bytes() const {
   const Parts& p = *parts_;
-  return p.packed.nodes.size() * sizeof(bvh::Node) + p.packed.leaves.size() +
-         p.packed.places.size() * sizeof(bvh::Place) + p.neighbours.bytes();
+  return p.packed.nodes.size() * sizeof(bvh::Node) + p.packed.leaves.size() + p.surface->bytes();
 }
 
 const bvh::Walker& bvh::best_walker() {

@@ -30,15 +30,19 @@ double PlainBvh::Box::surface() const {
   return d.x() * d.y() + d.y() * d.z() + d.z() * d.x();
 }
 
-PlainBvh::PlainBvh(Mesh mesh) : mesh_(std::move(mesh)), neighbours_(mesh_), order_(mesh_.size()) {
-  if (mesh_.size() == 0) return;
+PlainBvh::PlainBvh(Mesh mesh) : mesh_(std::move(mesh)), order_(mesh_.size()) {
+  std::iota(order_.begin(), order_.end(), 0u);
+  if (mesh_.size() > 0) plant();
+  surface_.emplace(mesh_, bvh::Merged(mesh_), order_);
+}
+
+void PlainBvh::plant() {
   std::vector<Box> boxes(mesh_.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Triangle t = mesh_.triangle(i);
     boxes[i].low = t.a.cwiseMin(t.b).cwiseMin(t.c);
     boxes[i].high = t.a.cwiseMax(t.b).cwiseMax(t.c);
   }
-  std::iota(order_.begin(), order_.end(), 0u);
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(mesh_.size()), 0});
   grow(boxes, 0);
 }
@@ -141,9 +145,9 @@ double PlainBvh::Path::entry(const Box& box, double latest) const {
 
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const PlainBvh& tree) {
   if (moving.displacement.isZero(0)) return std::nullopt;
-  bvh::Verdict verdict(tree.mesh(), tree.neighbours(), moving);
-  tree.visit(moving, [&](std::uint32_t triangle) {
-    verdict.consider(triangle);
+  bvh::Verdict verdict(tree.surface(), moving);
+  tree.visit(moving, [&](std::uint32_t place) {
+    verdict.consider(tree.surface().places()[place]);
     return verdict.latest();
   });
   return verdict.contact();

@@ -7,7 +7,7 @@
 
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
-#include "first_contact/partition/bvh/neighbours.hpp"
+#include "first_contact/partition/bvh/surface.hpp"
 #include "first_contact/sweep/contact.hpp"
 
 namespace first_contact {
@@ -25,15 +25,15 @@ class PlainBvh {
 
   /// The surface.
   const Mesh& mesh() const { return mesh_; }
-  /// What lies around each of its edges and vertices.
-  const bvh::Neighbours& neighbours() const { return neighbours_; }
+  /// Its triangles in the order of the leaves, for the sweep.
+  const bvh::Surface& surface() const { return *surface_; }
   /// The number of boxes.
   std::size_t size() const { return nodes_.size(); }
   /// The number of levels.
   int depth() const;
 
-  /// Calls consider(triangle) for the triangles that the moving sphere may touch, the nearest boxes first. It
-  /// returns the time up to which contacts still matter.
+  /// Calls consider(place) for the places in `surface()` of the triangles that the moving sphere may touch,
+  /// the nearest boxes first. It returns the time up to which contacts still matter.
   template <class Consider>
   void visit(const Moving<Sphere>& moving, const Consider& consider) const;
 
@@ -57,14 +57,15 @@ class PlainBvh {
     double radius;
   };
 
+  void plant();
   void grow(std::vector<Box>& boxes, std::uint32_t node);
   std::uint32_t cut(const std::vector<Box>& boxes, const Node& node);
   int depth(const Node& node) const;
 
   Mesh mesh_;
-  bvh::Neighbours neighbours_;
   std::vector<Node> nodes_;  // the root first
   std::vector<std::uint32_t> order_;
+  std::optional<bvh::Surface> surface_;
 };
 
 /// First contact of a moving sphere with a mesh, as sweep(moving, Environment) finds it, to the last bit.
@@ -89,8 +90,7 @@ void PlainBvh::visit(const Moving<Sphere>& moving, const Consider& consider) con
     waiting.pop_back();
     if (time > latest) continue;
     if (node->children == 0) {
-      for (std::uint32_t i = 0; i < node->count; ++i)
-        latest = std::min(latest, consider(order_[node->first + i]));
+      for (std::uint32_t i = 0; i < node->count; ++i) latest = std::min(latest, consider(node->first + i));
       continue;
     }
     const Node &left = nodes_[node->children], &right = nodes_[node->children + 1];

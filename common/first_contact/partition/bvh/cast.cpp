@@ -17,16 +17,30 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 /// half of this.
 constexpr double error_per_length = 256 * eps;
 
+/// Calls visit(feature) for each feature that was found.
+template <class Visit>
+void each_feature(const Found& found, const Visit& visit) {
+  for (unsigned left = found.features; left != 0; left &= left - 1) visit(std::countr_zero(left));
+}
+double earliest(const Found& found) {
+  double early = 2;
+  each_feature(found, [&](int i) { early = std::min(early, found.early[i]); });
+  return early;
+}
+/// The features that may be touched by a time.
+unsigned by(double time, const Found& found) {
+  unsigned features = 0;
+  each_feature(found, [&](int i) { features |= found.early[i] <= time ? 1u << i : 0u; });
+  return features;
+}
+
 }  // namespace
 
 Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
-    : parts_(surface),
-      walker_(walk),
-      tree_(surface.tree()),
-      verdict_(surface.mesh, surface.neighbours, moving) {
+    : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(*surface.surface, moving) {
   const auto& [center, radius] = moving.shape;
   const Vector& v = moving.displacement;
-  question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius};
+  question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius, 1 / v.norm()};
   near_ = surface.mesh.size() > 0 && !moving.displacement.isZero(0) && enter(moving, surface.space);
   if (near_) walker_.begin(tree_, walk_);
 }
@@ -64,19 +78,52 @@ bool Cast::enter(const Moving<Sphere>& moving, const Space& space) {
 //! [enter]
 
 void Cast::note_latest() {
-  if (verdict_.latest() > 1) return;
-  const double tau = (verdict_.latest() - from_ + 4 * eps) / width_;
-  if (tau < 1) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
+  const double latest = std::min(verdict_.latest(), hoped_);
+  if (latest > 1) return;
+  const double tau = (latest - from_ + 4 * eps) / width_;
+  if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
 
-void Cast::consider(const Place& place) {
-  const auto& vertices = parts_.mesh.vertices();
+//! [consider]
+/// What may be touched at the start is decided at once: of it one may yet get free.
+void Cast::consider(const Place& place, bool at_once) {
+  const Surface& surface = *parts_.surface;
   const auto& [a, b, c] = place.corner;
-  const unsigned features = walker_.features_in_time(question_, vertices[a].data(), vertices[b].data(),
-                                                     vertices[c].data(), std::min(verdict_.latest(), 1.0));
-  verdict_.consider(place.number, {a, b, c}, features);
-  if (features != 0) note_latest();
+  const double latest = std::min({verdict_.latest(), hoped_, 1.0});
+  const Found found = walker_.features_in_time(
+      question_, surface.position(a).data(), surface.position(b).data(), surface.position(c).data(), latest);
+  if (at_once || found.features == 0) {
+    verdict_.consider(place, found.features);
+  } else {
+    if (postponed_count_ == postponed_.size()) consider_postponed();
+    postponed_[postponed_count_++] = {&place, found, earliest(found)};
+    hoped_ = std::min(hoped_, found.late);
+  }
+  if (found.features != 0) note_latest();
 }
+
+void Cast::consider_postponed() {
+  const auto end = postponed_.begin() + static_cast<std::ptrdiff_t>(postponed_count_);
+  std::sort(postponed_.begin(), end,
+            [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
+  std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
+    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found));
+  });
+  postponed_count_ = 0;
+}
+
+/// Decides about what was postponed. If nothing was touched by the time that was hoped for, begins once more,
+/// without hope.
+bool Cast::done() {
+  consider_postponed();
+  if (!hopeful_ || hoped_ > 1 || verdict_.latest() <= hoped_) return true;
+  hopeful_ = false;
+  hoped_ = 2;
+  verdict_.forget();
+  walker_.begin(tree_, walk_);
+  return false;
+}
+//! [consider]
 
 //! [decide]
 /// The nearest first: often it makes the others too late.
@@ -84,14 +131,13 @@ void Cast::decide() {
   const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
     for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
-      __builtin_prefetch(&parts_.mesh.vertices()[vertex]);
+      __builtin_prefetch(&parts_.surface->position(vertex));
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
-    if (trace) trace->push_back(places[nearest].number);
-    consider(places[nearest]);
+    consider(places[nearest], !hopeful_ || walk_.bound[nearest] <= 0);
     left &= ~(1u << nearest);
   }
 }
@@ -99,14 +145,16 @@ void Cast::decide() {
 
 void Cast::run() {
   if (!near_) return;
-  while (walker_.next(tree_, walk_) == Stop::survivors) decide();
+  do
+    while (walker_.next(tree_, walk_) == Stop::survivors) decide();
+  while (!done());
 }
 
 bool Cast::step() {
   if (!near_) return false;
   const Stop stop = walker_.step(tree_, walk_);
   if (stop == Stop::survivors) decide();
-  return stop != Stop::end;
+  return stop != Stop::end || !done();
 }
 
 }  // namespace first_contact::bvh

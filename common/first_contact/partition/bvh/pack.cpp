@@ -23,9 +23,9 @@ constexpr std::size_t read_past_the_end = 64;
 
 class Packer {
  public:
-  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Neighbours& around,
+  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Merged& vertices,
          const Collapse& wide)
-      : tree_(from), mesh_(surface), space_(unit), neighbours_(around), collapse_(wide) {}
+      : tree_(from), mesh_(surface), space_(unit), merged_(vertices), collapse_(wide) {}
 
   PackedTree pack();
 
@@ -49,7 +49,7 @@ class Packer {
   const BinaryTree& tree_;
   const Mesh& mesh_;
   const Space& space_;
-  const Neighbours& neighbours_;
+  const Merged& merged_;
   const Collapse& collapse_;
   PackedTree result_;
   std::size_t leaf_count_ = 0;
@@ -76,7 +76,7 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
   head.first = leaf.first;
   head.triangles = static_cast<std::uint8_t>(leaf.count);
   for (std::uint32_t j = 0; j < leaf.count; ++j) {
-    const Mesh::Face corners = neighbours_.corners(face(leaf.first + j));
+    const Mesh::Face corners = merged_.corners(face(leaf.first + j));
     for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(corners[i]) << 4 * j;
   }
   head.vertices = static_cast<std::uint8_t>(vertices.count);
@@ -215,7 +215,7 @@ PackedTree Packer::pack() {
   const Cover cover = collapse_.children(0);
   result_.nodes.resize(1);
   Node top = make_node(0, cover);
-  std::vector<Packer> parts(cover.branch.size(), Packer(tree_, mesh_, space_, neighbours_, collapse_));
+  std::vector<Packer> parts(cover.branch.size(), Packer(tree_, mesh_, space_, merged_, collapse_));
   std::array<Node, width> child{};
   in_turns(cover, [&](std::size_t j) { child[j] = parts[j].subtree(cover.branch[j]); });
   for (std::size_t j = 0; j < top.count; ++j)
@@ -262,22 +262,15 @@ Node Packer::append(const Packer& part, const Node& top) {
 PackedTree Packer::finish() {
   result_.leaf_size = static_cast<float>(sum_of_sizes_ / static_cast<double>(leaf_count_));
   result_.leaves.resize(result_.leaves.size() + read_past_the_end);
-  result_.places.resize(tree_.order.size());
-  in_parallel(tree_.order.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      const auto [a, b, c] = neighbours_.corners(face(static_cast<std::uint32_t>(i)));
-      result_.places[i] = {tree_.order[i], {a, b, c}};
-    }
-  });
   return std::move(result_);
 }
 
 }  // namespace
 
-PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Neighbours& neighbours) {
+PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged) {
   if (tree.order.empty()) return {};
   const Collapse collapse(tree.branches);
-  return Packer(tree, mesh, space, neighbours, collapse).pack();
+  return Packer(tree, mesh, space, merged, collapse).pack();
 }
 
 }  // namespace first_contact::bvh

@@ -12,7 +12,6 @@ namespace first_contact::bvh {
 struct PackedTree {
   Block<Node> nodes;
   Block<unsigned char> leaves;
-  Block<Place> places;
   Ref root = leaf_bit;
   float leaf_size = 0;  ///< the mean of the longest side of the leaves' boxes
 };
@@ -22,6 +21,6 @@ struct PackedTree {
 ///
 /// The idea: every rounding goes outward. A box is stored in 256 steps of its parent's, a slab in 65,536; low
 /// sides are rounded down and high sides up, so that what is stored holds what it stands for.
-PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Neighbours& neighbours);
+PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged);
 
 }  // namespace first_contact::bvh

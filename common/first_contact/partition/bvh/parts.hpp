@@ -1,23 +1,25 @@
 #pragma once
 #include "first_contact/partition/bvh.hpp"
-#include "first_contact/partition/bvh/neighbours.hpp"
+#include "first_contact/partition/bvh/merged.hpp"
 #include "first_contact/partition/bvh/pack.hpp"
 #include "first_contact/partition/bvh/space.hpp"
+#include "first_contact/partition/bvh/surface.hpp"
 #include "first_contact/partition/bvh/walk.hpp"
 
 namespace first_contact {
 
 /// What a Bvh is made of.
 struct Bvh::Parts {
-  explicit Parts(Mesh surface);
+  explicit Parts(Mesh triangles);
 
   Mesh mesh;
   bvh::Space space;
-  bvh::Neighbours neighbours;
   bvh::PackedTree packed;
+  std::optional<bvh::Surface> surface;
 
   bvh::Tree tree() const {
-    return {packed.nodes.data(), packed.leaves.data(), packed.places.data(), packed.root, packed.leaf_size};
+    return {packed.nodes.data(), packed.leaves.data(), surface->places().data(), packed.root,
+            packed.leaf_size};
   }
 };
 

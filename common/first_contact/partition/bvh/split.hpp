@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "first_contact/partition/bvh/neighbours.hpp"
+#include "first_contact/partition/bvh/merged.hpp"
 #include "first_contact/partition/bvh/space.hpp"
 
 namespace first_contact::bvh {
@@ -32,6 +32,6 @@ struct BinaryTree {
 /// between 16 bins (Wald 2007), and work is counted in leaves of eight. It equals the cuts of the plain tree,
 /// which looks at the same bins for one triangle at a time. Measured: 16 bins and four lanes build a million
 /// triangles in .1 s on each of two cores.
-BinaryTree split(const Mesh& mesh, const Space& space, const Neighbours& neighbours);
+BinaryTree split(const Mesh& mesh, const Space& space, const Merged& merged);
 
 }  // namespace first_contact::bvh

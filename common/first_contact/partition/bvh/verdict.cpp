@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include "first_contact/geometry/closest_point.hpp"
@@ -14,8 +13,8 @@ namespace first_contact::bvh {
 
 namespace {
 
-bool has(const Mesh::Face& face, std::uint32_t vertex) {
-  return face[0] == vertex || face[1] == vertex || face[2] == vertex;
+bool has(const Place& place, std::uint32_t vertex) {
+  return place.corner[0] == vertex || place.corner[1] == vertex || place.corner[2] == vertex;
 }
 
 /// Is a face with these two sides far from being too thin to answer for itself (\see Facet::thin_for), and
@@ -45,16 +44,24 @@ bool Verdict::Recent<Key>::seen(const Key& k) {
   return false;
 }
 
-void Verdict::consider(std::uint32_t number, const Mesh::Face& corners, unsigned features) {
-  considered_.add(number);
+void Verdict::consider(const Place& place, unsigned features) {
+  considered_.add(place);
   if (features == 0) return;
-  const auto& [a, b, c] = corners;
+  const auto& corners = place.corner;
   if (features & 1)
-    keep(touch_face(moving_, Facet({position(a), position(b), position(c)})), corners, number);
+    keep(touch_face(moving_, Facet(surface_.triangle(place))), {corners[0], corners[1], corners[2]},
+         place.number);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (features & 16u << slot) consider_vertex(corners[slot]);
+}
+
+void Verdict::forget() {
+  first_.reset();
+  considered_.count = 0;
+  considered_.more.clear();
+  edges_.count = vertices_seen_.count = 0;
 }
 
 void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {
@@ -85,10 +92,10 @@ Verdict::Surroundings Verdict::surroundings(const Touch& touch, std::uint32_t fr
   const double sine = std::max(much, in_doubt / touch.distance);
   const Vector edge = position(to) - position(from);
   bool all_away = true;
-  for (const std::uint32_t number : neighbours_.faces_at(from)) {
-    const Mesh::Face corners = neighbours_.corners(mesh_.faces()[number]);
-    if (!has(corners, to)) continue;
-    for (const std::uint32_t corner : corners) {
+  for (const std::uint32_t at : surface_.around(from)) {
+    const Place& place = surface_.places()[at];
+    if (!has(place, to)) continue;
+    for (const std::uint32_t corner : place.corner) {
       if (corner == from || corner == to) continue;
       const Vector way = position(corner) - position(from);
       const double rise = touch.normal.dot(way);
@@ -104,8 +111,8 @@ Verdict::Surroundings Verdict::surroundings(const Touch& touch, std::uint32_t fr
 
 /// The lowest number of a face with this edge, or, if from = to, vertex.
 std::uint32_t Verdict::first_face(std::uint32_t from, std::uint32_t to) const {
-  for (const std::uint32_t face : neighbours_.faces_at(from))
-    if (has(neighbours_.corners(mesh_.faces()[face]), to)) return face;
+  for (const std::uint32_t at : surface_.around(from))
+    if (has(surface_.places()[at], to)) return surface_.places()[at].number;
   return 0;
 }
 
@@ -122,45 +129,52 @@ void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to
   if (around == Surroundings::lead_nearer) return;
   if (around == Surroundings::lead_away) return keep(touch, vertices, first_face(from, to));
 
-  std::vector<MeshEdges::Side> sides;
-  for (const std::uint32_t face : neighbours_.faces_at(from)) {
-    const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
-    for (std::uint32_t slot = 0; slot < 3; ++slot) {
-      const std::uint32_t p = corners[slot], q = corners[(slot + 1) % 3];
-      if ((p == from && q == to) || (p == to && q == from)) sides.push_back({face, slot});
+  struct Side {
+    const Place* place;
+    std::size_t slot;
+  };
+  std::vector<Side> sides;
+  for (const std::uint32_t at : surface_.around(from)) {
+    const Place& place = surface_.places()[at];
+    for (std::size_t slot = 0; slot < 3; ++slot) {
+      const std::uint32_t p = place.corner[slot], q = place.corner[(slot + 1) % 3];
+      if ((p == from && q == to) || (p == to && q == from)) sides.push_back({&place, slot});
     }
   }
   std::vector<Facet> facets;
   std::vector<FaceAround> faces;
   std::vector<Vector> along;
   facets.reserve(sides.size());
-  for (const auto& [face, slot] : sides) {
-    const Facet& facet = facets.emplace_back(mesh_.triangle(face));
+  for (const auto& [place, slot] : sides) {
+    const Facet& facet = facets.emplace_back(surface_.triangle(*place));
     const std::array<Point, 3> corners{facet.triangle.a, facet.triangle.b, facet.triangle.c};
     along.emplace_back(corners[(slot + 1) % 3] - corners[slot]);
     faces.push_back({&facet, facet.normal.cross(along.back())});
   }
   const auto judged = among_faces(touch, faces, moving_);
   if (!judged || (judged->feature == Feature::edge && is_seam(facets, along))) return;
-  keep(judged, vertices, sides[0].face);
+  keep(judged, vertices, sides[0].place->number);
 }
 
 void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
-  const auto around = neighbours_.faces_at(vertex);
+  const auto around = surface_.around(vertex);
+  const std::uint32_t lowest = surface_.places()[around[0]].number;
   const Surroundings clear = surroundings(touch, vertex, vertex);
   if (clear == Surroundings::lead_nearer) return;
-  if (clear == Surroundings::lead_away) return keep(touch, {vertex, vertex, vertex}, around[0]);
+  if (clear == Surroundings::lead_away) return keep(touch, {vertex, vertex, vertex}, lowest);
 
   std::vector<std::uint32_t> others;
   std::vector<Facet> facets;
   std::vector<FaceAround> faces;
   facets.reserve(around.size());
-  for (const std::uint32_t face : around) {
-    for (const std::uint32_t corner : neighbours_.corners(mesh_.faces()[face]))
+  for (const std::uint32_t at : around) {
+    const Place& place = surface_.places()[at];
+    for (const std::uint32_t corner : place.corner)
       if (corner != vertex) others.push_back(corner);
-    faces.push_back({&facets.emplace_back(mesh_.triangle(face)), Vector::Zero()});
+    faces.push_back({&facets.emplace_back(surface_.triangle(place)), Vector::Zero()});
   }
-  std::sort(others.begin(), others.end());
+  std::sort(others.begin(), others.end(),
+            [&](std::uint32_t p, std::uint32_t q) { return surface_.number(p) < surface_.number(q); });
   others.erase(std::unique(others.begin(), others.end()), others.end());
   std::vector<Vector> edges, directions;
   for (const std::uint32_t other : others) {
@@ -169,14 +183,23 @@ void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
   }
   const auto judged = among_edges(touch, edges, faces, moving_);
   if (!judged || (judged->feature == Feature::vertex && !edges.empty() && buried_by(directions))) return;
-  keep(judged, {vertex, vertex, vertex}, around[0]);
+  keep(judged, {vertex, vertex, vertex}, lowest);
+}
+
+/// Of features touched all alike, the one of the lower triangle, and then of the lower vertices, by their
+/// numbers in the mesh.
+bool Verdict::comes_first(const Vertices& vertices, std::uint32_t face) const {
+  const auto key = [&](std::uint32_t number, const Vertices& v) {
+    return std::array{number, surface_.number(v[0]), surface_.number(v[1]), surface_.number(v[2])};
+  };
+  return key(face, vertices) < key(face_, vertices_);
 }
 
 void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, std::uint32_t face) {
   if (!touch) return;
   if (first_ && !earlier(*touch, *first_)) {
     const bool alike = !earlier(*first_, *touch);
-    if (!alike || std::tie(face, vertices) >= std::tie(face_, vertices_)) return;
+    if (!alike || !comes_first(vertices, face)) return;
   }
   first_ = touch;
   vertices_ = vertices;
@@ -184,13 +207,12 @@ void Verdict::keep(const std::optional<Touch>& touch, const Vertices& vertices, 
 }
 
 /// Does a face at one of the touched feature's vertices reach the touched point?
-bool Verdict::reaches(std::uint32_t face, double tolerance) const {
-  const Mesh::Face corners = neighbours_.corners(mesh_.faces()[face]);
-  const bool u = has(corners, vertices_[0]), v = has(corners, vertices_[1]), w = has(corners, vertices_[2]);
+bool Verdict::reaches(const Place& place, double tolerance) const {
+  const bool u = has(place, vertices_[0]), v = has(place, vertices_[1]), w = has(place, vertices_[2]);
   if (u && v && w) return true;  // it has all of the feature
-  const auto& [a, b, c] = corners;
+  const auto& [a, b, c] = place.corner;
   return (u || v || w) && in_box(first_->point, position(a), position(b), position(c), tolerance) &&
-         (closest_point(first_->point, mesh_.triangle(face)) - first_->point).norm() <= tolerance;
+         (closest_point(first_->point, surface_.triangle(place)) - first_->point).norm() <= tolerance;
 }
 
 /// The lowest number of the triangles around the touched feature that reach the touched point. As they reach
@@ -198,8 +220,8 @@ bool Verdict::reaches(std::uint32_t face, double tolerance) const {
 std::uint32_t Verdict::lowest_triangle() const {
   const double tolerance = first_->tolerance + rounding_of_distance * first_->point.cwiseAbs().maxCoeff();
   std::uint32_t lowest = face_;
-  const auto lower = [&](std::uint32_t face) {
-    if (face < lowest && reaches(face, tolerance)) lowest = face;
+  const auto lower = [&](const Place* place) {
+    if (place->number < lowest && reaches(*place, tolerance)) lowest = place->number;
   };
   std::for_each_n(considered_.first.begin(), considered_.count, lower);
   std::for_each(considered_.more.begin(), considered_.more.end(), lower);

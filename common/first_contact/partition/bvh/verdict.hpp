@@ -6,7 +6,7 @@
 
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
-#include "first_contact/partition/bvh/neighbours.hpp"
+#include "first_contact/partition/bvh/surface.hpp"
 #include "first_contact/sweep/moved_out.hpp"
 
 namespace first_contact::bvh {
@@ -20,16 +20,16 @@ namespace first_contact::bvh {
 /// which all of them lead away from the sphere, 30 to 60.
 class Verdict {
  public:
-  Verdict(const Mesh& surface, const Neighbours& around, const Moving<Sphere>& sphere)
-      : mesh_(surface), neighbours_(around), moving_(sphere) {}
+  Verdict(const Surface& surface, const Moving<Sphere>& sphere) : surface_(surface), moving_(sphere) {}
 
   /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc,
   /// ca, the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be
   /// touched where another one is.
-  /// \param corners  of the face, by their representatives
-  void consider(std::uint32_t face, const Mesh::Face& corners, unsigned features);
+  void consider(const Place& place, unsigned features);
   /// All of them.
-  void consider(std::uint32_t face) { consider(face, neighbours_.corners(mesh_.faces()[face]), 127); }
+  void consider(const Place& place) { consider(place, 127); }
+  /// Begins once more, as if nothing had been considered.
+  void forget();
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
   std::optional<Contact> contact() const;
@@ -46,20 +46,20 @@ class Verdict {
   };
 
   /// The triangles that were considered. As a rule they are few, and need no memory of their own.
-  struct Numbers {
-    std::array<std::uint32_t, 16> first;
+  struct Places {
+    std::array<const Place*, 16> first;
     std::size_t count = 0;
-    std::vector<std::uint32_t> more;
-    void add(std::uint32_t number) {
+    std::vector<const Place*> more;
+    void add(const Place& place) {
       if (count < first.size())
-        first[count++] = number;
+        first[count++] = &place;
       else
-        more.push_back(number);
+        more.push_back(&place);
     }
   };
 
   bool too_late(const std::optional<Touch>& touch) const { return !touch || touch->time > latest(); }
-  const Point& position(std::uint32_t vertex) const { return mesh_.vertices()[vertex]; }
+  const Point& position(std::uint32_t vertex) const { return surface_.position(vertex); }
   void consider_edge(std::uint32_t p, std::uint32_t q);
   void consider_vertex(std::uint32_t vertex);
   enum class Surroundings { lead_away, lead_nearer, in_doubt };
@@ -70,15 +70,15 @@ class Verdict {
   void keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to);
   void keep_vertex(const Touch& touch, std::uint32_t vertex);
   std::uint32_t lowest_triangle() const;
-  bool reaches(std::uint32_t face, double tolerance) const;
+  bool comes_first(const Vertices& vertices, std::uint32_t face) const;
+  bool reaches(const Place& place, double tolerance) const;
 
-  const Mesh& mesh_;
-  const Neighbours& neighbours_;
+  const Surface& surface_;
   const Moving<Sphere>& moving_;
   std::optional<Touch> first_;
   Vertices vertices_{};     // of the feature that is touched first, some of them twice
   std::uint32_t face_ = 0;  // one that has this feature
-  Numbers considered_;
+  Places considered_;
   Recent<std::uint64_t> edges_;
   Recent<std::uint32_t> vertices_seen_;
 };

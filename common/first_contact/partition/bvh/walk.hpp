@@ -49,6 +49,14 @@ enum class Stop { survivors, pause, end };
 /// A cast in the unit of the mesh, for the doubles.
 struct Question {
   double center[3], travel[3], radius;
+  double slowness;  ///< 1 / |travel|
+};
+
+/// What of a triangle may be touched in time.
+struct Found {
+  unsigned features;  ///< one bit each: the face, the edges ab, bc, ca, the vertices a, b, c
+  double early[7];    ///< those with a bit are not touched before
+  double late;  ///< by then the triangle is touched, as far as can be seen; infinite if that is not clear
 };
 
 /// The same code compiled for one instruction set.
@@ -56,10 +64,9 @@ struct Walker {
   void (*begin)(const Tree&, Walk&);
   Stop (*next)(const Tree&, Walk&);  ///< goes on to the next leaf with survivors, or to the end
   Stop (*step)(const Tree&, Walk&);  ///< one node or leaf at most
-  /// What of the triangle abc may be touched in time? One bit each: the face, the edges ab, bc, ca, the
-  /// vertices a, b, c.
-  unsigned (*features_in_time)(const Question&, const double* a, const double* b, const double* c,
-                               double latest);
+  /// What of the triangle abc may be touched in time?
+  Found (*features_in_time)(const Question&, const double* a, const double* b, const double* c,
+                            double latest);
 };
 
 /// Runs everywhere.

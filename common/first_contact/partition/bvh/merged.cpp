@@ -1,4 +1,4 @@
-#include "first_contact/partition/bvh/neighbours.hpp"
+#include "first_contact/partition/bvh/merged.hpp"
 
 #include <bit>
 #include <limits>
@@ -20,12 +20,7 @@ std::uint64_t hash(const Point& p) {
 
 }  // namespace
 
-Neighbours::Neighbours(const Mesh& mesh) {
-  merge_vertices(mesh);
-  gather_faces(mesh);
-}
-
-void Neighbours::merge_vertices(const Mesh& mesh) {
+Merged::Merged(const Mesh& mesh) {
   constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
   const auto& vertices = mesh.vertices();
   const std::size_t mask = std::bit_ceil(2 * vertices.size() + 1) - 1;
@@ -39,29 +34,6 @@ void Neighbours::merge_vertices(const Mesh& mesh) {
     merged |= lowest[i] != i;
   }
   if (merged) representative_ = std::move(lowest);
-}
-
-void Neighbours::gather_faces(const Mesh& mesh) {
-  const auto each_corner = [&](const auto& visit) {
-    for (std::uint32_t i = 0; i < mesh.size(); ++i) {
-      const auto [a, b, c] = corners(mesh.faces()[i]);
-      visit(a, i);
-      if (b != a) visit(b, i);
-      if (c != a && c != b) visit(c, i);
-    }
-  };
-  first_.assign(mesh.vertices().size() + 1, 0);
-  each_corner([&](std::uint32_t vertex, std::uint32_t) { ++first_[vertex]; });
-  std::uint32_t sum = 0;
-  for (std::uint32_t& first : first_) first = sum += first;  // each list's end ...
-  faces_.resize(sum);
-  for (auto i = static_cast<std::uint32_t>(mesh.size());
-       i-- > 0;) {  // ... becomes its beginning, filled from behind
-    const auto [a, b, c] = corners(mesh.faces()[i]);
-    faces_[--first_[a]] = i;
-    if (b != a) faces_[--first_[b]] = i;
-    if (c != a && c != b) faces_[--first_[c]] = i;
-  }
 }
 
 }  // namespace first_contact::bvh
