@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "accuracy.hpp"
 #include "casts.hpp"
 #include "figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
@@ -224,7 +225,10 @@ int main(int argc, char** argv) {
     program.json() = results(moving, contact);
     note_features(program, environment);
     note_faults(program, environment, moving);
-    if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
+    note_accuracy(program);
+    if (!program.draws()) return;
+    draw_general_sphere_figures(program, environment, moving, contact);
+    draw_accuracy(program);
   });
 }
 //! [main]

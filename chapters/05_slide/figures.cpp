@@ -177,7 +177,7 @@ void draw_gap(const program::Program& program) {
   figure.draw();
 }
 
-// Frame after frame with the same wish, a ball slides over the bunny's back, along its cheek and down its chest.
+// Frame after frame with the same wish, a ball slides over the bunny's back, its cheek and its chest.
 void draw_bunny(const Studio& studio) {
   const Environment bunny(read_mesh(FIRST_CONTACT_DATA "/bunny.off"));
   const auto& [ball, wish] = over_the_bunny;

@@ -5,8 +5,8 @@
 extern const first_contact::Mesh wide_corner;
 extern const first_contact::Moving<first_contact::Sphere> into_wide_corner;
 
-/// The slide as one first writes it: at each contact what is left is projected on that wall, and the walls before it
-/// are forgotten. Returns where the centre ends.
+/// The slide as one first writes it: at each contact what is left is projected on that wall, and the walls
+/// before it are forgotten. Returns where the centre ends.
 first_contact::Point wall_after_wall(const first_contact::Moving<first_contact::Sphere>& ball,
                                      const first_contact::Environment& environment);
 

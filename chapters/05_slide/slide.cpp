@@ -125,7 +125,7 @@ Json results(const Slide& path) {
 }
 
 //! [notes]
-// Numbers that the notes speak of: of the one wall, of walls met one after the other, of a walk over the bunny.
+// Numbers that the notes speak of: of one wall, of walls one after the other, of a walk over the bunny.
 void note_wall(Program& program, const Environment& environment, const Moving<Sphere>& ball,
                const Slide& path) {
   program.value("radius", ball.shape.radius);

@@ -12,3 +12,6 @@ void draw_moving_spheres_figures(const first_contact::program::Program& program,
 void draw_distance(const first_contact::program::Program& program,
                    const first_contact::Moving<first_contact::Sphere>& p,
                    const first_contact::Moving<first_contact::Sphere>& q);
+
+/// How the work for n spheres grows: every pair, one axis, and boxes halved like quicksort.
+void draw_growth(const first_contact::program::Program& program);

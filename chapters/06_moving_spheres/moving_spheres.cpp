@@ -6,6 +6,7 @@
 #include "figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
+#include "growth.hpp"
 #include "scene.hpp"
 
 using namespace first_contact;
@@ -77,6 +78,32 @@ void tell_errors(Report& report) {
   report.say({"Corrected: the same root as u^2 d^2 - |w x u|^2, by the closest approach",
               "修正：改以最接近距離計算，根號內為 u^2 d^2 - |w x u|^2"});
   tell(stable);
+}
+
+// Of many spheres, every two may meet.
+void tell_crowd(Program& program) {
+  const Work alike = work(10000, Crowd::alike), uneven = work(10000, Crowd::uneven);
+  const auto whole = [](std::size_t count) { return std::to_string(count); };
+  Report& report = program.report();
+  report.say({"Among 10000 spheres, every two may meet: boxes in space and time, halved again and again",
+              "10000 個球，每兩個都可能相碰：時空中的盒，反覆對分"});
+  report.row("n(n - 1)/2", whole(alike.every_pair), {"pairs", "球對"});
+  report.row("along x", whole(alike.one_axis), {"pairs that overlap along x", "沿 x 方向重疊的球對"});
+  report.row("boxes", whole(alike.boxes), {"tests of boxes", "盒的測試數"});
+  report.row("sweeps", whole(alike.sweeps), {"pairs that are swept", "精確計算的球對"});
+  report.row("contacts", whole(alike.contacts), {"pairs that meet", "發生碰撞的球對"});
+  report.row("boxes, uneven", whole(uneven.boxes),
+             {"one sphere as large as all of space, one in a hundred ten times as fast",
+              "其一與全空間等大，百分之一快十倍"});
+  const auto count = [](std::size_t n) { return static_cast<double>(n); };
+  program.value("crowd", count(alike.spheres));
+  program.value("crowd_pairs", count(alike.every_pair));
+  program.value("crowd_one_axis", count(alike.one_axis));
+  program.value("crowd_boxes", count(alike.boxes));
+  program.value("crowd_boxes_each", count(alike.boxes) / count(alike.spheres));
+  program.value("crowd_boxes_uneven_each", count(uneven.boxes) / count(uneven.spheres));
+  program.value("crowd_sweeps_each", count(alike.sweeps) / count(alike.spheres));
+  program.value("crowd_contacts", count(alike.contacts));
 }
 //! [report]
 
@@ -154,6 +181,7 @@ int main(int argc, char** argv) {
     tell_roots(program.report(), p, q);
     tell_contact(program.report(), meeting, when);
     tell_errors(program.report());
+    tell_crowd(program);
     program.json() = results(meeting);
     note_roots(program, p, q);
     note_far_away<float>(program, "single");

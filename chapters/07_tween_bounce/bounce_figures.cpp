@@ -67,7 +67,8 @@ void draw_printed_and_physical(const Program& program, const Flight& printed, co
   figure.draw();
 }
 
-// The printed fall in larger and smaller steps: each finds the floor somewhere else, and rebounds to another height.
+// The printed fall in larger and smaller steps: each finds the floor late in its own way, and rebounds to
+// another height.
 void draw_steps(const Program& program) {
   Figure figure(program.studio(), "steps", {720, 440});
   std::ostream& out = figure.script();

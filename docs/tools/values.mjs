@@ -40,7 +40,8 @@ function inside(value, path) {
 
 function namesOf(value, prefix) {
   if (value === null || typeof value !== 'object') return [prefix];
-  return Object.entries(value).flatMap(([key, part]) => namesOf(part, `${prefix}.${key}`));
+  const parts = Array.isArray(value) ? [['0', value[0] ?? null]] : Object.entries(value);  // of a list the first stands for all
+  return parts.flatMap(([key, part]) => namesOf(part, `${prefix}.${key}`));
 }
 
 /// Every name that can be looked up.

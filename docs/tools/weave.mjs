@@ -18,6 +18,9 @@ export const shown = {snippets: [], figures: [], equations: new Map(), outputs: 
 
 const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
 
+// A long path may break after a slash.
+const shownPath = (path) => escape(path).replaceAll('/', '/<wbr>');
+
 export const references = data('references.json').flatMap((group) => group.entries);
 
 // Cuts a text at whatever a rule matches first, [regular expression, (index, ...groups) => result], and gives the
@@ -167,8 +170,8 @@ class Page {
     shown.snippets.push({file: fromRoot(place), tag, page: this.id});
     const command = tag ? `\\snippet ${file} ${tag}` : `\\include ${file}`;
     if (!folded)
-      return blockToken(`<div class="where">${escape(fromRoot(place))}</div>`) + command + '\n\n';
-    return blockToken(`<details class="listing"><summary>${this.asHtml(folded, index)} <span class="where">${escape(fromRoot(place))}</span></summary>`) +
+      return blockToken(`<div class="where">${shownPath(fromRoot(place))}</div>`) + command + '\n\n';
+    return blockToken(`<details class="listing"><summary>${this.asHtml(folded, index)} <span class="where">${shownPath(fromRoot(place))}</span></summary>`) +
            command + '\n' + blockToken('</details>');
   }
 
@@ -177,7 +180,7 @@ class Page {
     const path = join(root, 'chapters', file);
     const text = this.attempt(index, () => read(path).trimEnd());
     const lines = text.split('\n').map((line) => `<span class="line">${escape(line) || ' '}</span>`).join('\n');
-    return blockToken(`<div class="where">chapters/${escape(file)}</div><pre class="output">${lines}</pre>`);
+    return blockToken(`<div class="where">${shownPath('chapters/' + file)}</div><pre class="output">${lines}</pre>`);
   }
 
   fence(language, body, index) {

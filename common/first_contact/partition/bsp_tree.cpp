@@ -136,6 +136,7 @@ class BspTree::Builder {
     for (std::size_t i = 0; i < pieces.size(); i += step) {
       const auto plane = plane_of(polygons_[pieces[i].polygon]);
       if (!plane) continue;
+      tree_.work_ += pieces.size();
       const Division division = divide(pieces, *plane, thickness_);
       const bool useful = division.larger() < pieces.size() && pieces.size() + division.cut <= quota;
       if (!useful || (best && !(division < least))) continue;
@@ -148,6 +149,7 @@ class BspTree::Builder {
 
   Parts part(const std::vector<Piece>& pieces, const Plane& plane) const {
     Parts parts;
+    tree_.work_ += pieces.size();
     for (const Piece& piece : pieces) {
       const auto [in_front, behind] = position(piece, plane, thickness_);
       if (in_front && behind) {

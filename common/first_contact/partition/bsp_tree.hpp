@@ -53,6 +53,8 @@ class BspTree {
   std::size_t nodes() const { return nodes_.size(); }
   /// The depth of the deepest; the root's is 0.
   std::size_t depth() const { return depth_; }
+  /// How many times a polygon, or a piece of one, was looked at to build the tree.
+  std::size_t work() const { return work_; }
   /// The root has number 0.
   const Node& node(std::size_t i) const { return nodes_[i]; }
   /// The polygons' numbers, those of each node side by side; those that were cut more than once.
@@ -70,7 +72,7 @@ class BspTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0;
+  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<BspTree>);

@@ -22,14 +22,18 @@ class Bvh {
   /// \throws std::length_error for more.
   explicit Bvh(Mesh mesh);
   ~Bvh();
+  /// Takes over another's tree.
   Bvh(Bvh&&) noexcept;
+  /// The same.
   Bvh& operator=(Bvh&&) noexcept;
 
+  /// The surface.
   const Mesh& mesh() const;
   /// The memory that it needs besides the mesh.
   std::size_t bytes() const;
 
   struct Parts;
+  /// What it is made of, for those who walk it.
   const Parts& parts() const { return *parts_; }
 
  private:

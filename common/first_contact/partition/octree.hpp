@@ -51,6 +51,8 @@ class Octree {
   std::size_t nodes() const { return nodes_.size(); }
   /// The depth of the deepest; the root's is 0.
   std::size_t depth() const { return depth_; }
+  /// How many times an object was looked at to build the tree.
+  std::size_t work() const { return work_; }
   /// The root has number 0.
   const Node& node(std::size_t i) const { return nodes_[i]; }
   /// The objects' numbers, those of each node side by side.
@@ -64,7 +66,7 @@ class Octree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0;
+  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<Octree>);

@@ -20,13 +20,16 @@ namespace first_contact {
 /// triangle is in two of them.
 class PlainBvh {
  public:
+  /// Cuts boxes until few triangles are left in each.
   explicit PlainBvh(Mesh mesh);
 
+  /// The surface.
   const Mesh& mesh() const { return mesh_; }
   /// Its triangles in the order of the leaves, for the sweep.
   const bvh::Surface& surface() const { return *surface_; }
-  /// The number of boxes, and of levels.
+  /// The number of boxes.
   std::size_t size() const { return nodes_.size(); }
+  /// The number of levels.
   int depth() const;
 
   /// Calls consider(place) for the places in `surface()` of the triangles that the moving sphere may touch,

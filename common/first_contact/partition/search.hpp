@@ -78,6 +78,7 @@ concept Partition = requires(const Tree& tree, Search& search) {
   tree.search(search);  // shows the search at least every object that it could hit
   { tree.nodes() } -> std::convertible_to<std::size_t>;
   { tree.depth() } -> std::convertible_to<std::size_t>;
+  { tree.work() } -> std::convertible_to<std::size_t>;
 };
 
 }  // namespace first_contact

@@ -126,6 +126,7 @@ bool Cast::done() {
 }
 //! [consider]
 
+//! [decide]
 /// The nearest first: often it makes the others too late.
 void Cast::decide() {
   const Place* places = tree_.places + walk_.leaf->first;
@@ -141,6 +142,7 @@ void Cast::decide() {
     left &= ~(1u << nearest);
   }
 }
+//! [decide]
 
 void Cast::run() {
   if (!near_) return;
