@@ -1,5 +1,5 @@
-// Moving spheres in batches and in crowds: times, and the errors beside them. A batch is measured against the time that
-// the memory alone takes, in turns with it, as other programs may be running.
+// Moving spheres in batches and in crowds: times, and the errors beside them. A batch is measured against the
+// time that the memory alone takes, in turns with it, as other programs may be running.
 
 #include <algorithm>
 #include <functional>
@@ -47,7 +47,8 @@ std::array<const double*, sizeof...(Part)> all_of(MovingColumns& columns, std::i
   return {columns.column(Part).data()...};
 }
 
-/// Measures in turns with the floor, and reports nanoseconds for each of `count`, and what part of the floor's they are.
+/// Measures in turns with the floor, and reports nanoseconds for each of `count`, and what part of the
+/// floor's they are.
 void against_floor(benchmark::State& state, std::size_t count, const std::function<void()>& floor,
                    const std::function<void()>& subject) {
   std::vector<double> floors, subjects;

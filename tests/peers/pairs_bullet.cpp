@@ -1,4 +1,5 @@
-// The same with Bullet: btSubsimplexConvexCast for two spheres, and btDbvt as the broad phase about the same sweep.
+// The same with Bullet: btSubsimplexConvexCast for two spheres, and btDbvt as the broad phase about the same
+// sweep.
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
