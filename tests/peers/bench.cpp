@@ -138,7 +138,7 @@ void draw(const figure::Studio& studio, const char* name, const char* label, con
   figure::Figure chart(studio, name, {820, 500});
   std::vector<std::string> ways;
   for (const Row& row : rows)
-    if (value(row) > 0 && std::find(ways.begin(), ways.end(), row.way) == ways.end()) ways.push_back(row.way);
+    if (std::find(ways.begin(), ways.end(), row.way) == ways.end()) ways.push_back(row.way);
   std::string plot = "plot ";
   constexpr std::array colours{"GREY", "INK", "BLUE", "SKY", "GREEN", "RED", "ORANGE", "PINK"};
   for (std::size_t i = 0; i < ways.size(); ++i) {

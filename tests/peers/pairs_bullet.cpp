@@ -51,7 +51,7 @@ struct Pairs : btDbvt::ICollide {
   void Process(const btDbvtNode* a, const btDbvtNode* b) override {
     if (a == b) return;
     const auto [i, j] =
-        std::minmax(static_cast<std::size_t>(a->dataAsInt), static_cast<std::size_t>(b->dataAsInt));
+        std::minmax({static_cast<std::size_t>(a->dataAsInt), static_cast<std::size_t>(b->dataAsInt)});
     ++sweeps;
     if (sweep(balls[i], balls[j])) ++contacts;
   }
