@@ -13,6 +13,7 @@
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "jaw.hpp"
 #include "scenes.hpp"
 
 using namespace first_contact;
@@ -221,6 +222,7 @@ int main(int argc, char** argv) {
     tell_corrections(program.report(), moving, environment, contact);
     tell_order(program.report());
     tell_ray(program.report());
+    jaw::tell(program);
     program.json() = results(moving, contact);
     note_features(program, environment);
     note_faults(program, environment, moving);
