@@ -10,6 +10,7 @@
 #include "figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
@@ -223,6 +224,7 @@ int main(int argc, char** argv) {
     tell_order(program.report());
     tell_ray(program.report());
     jaw::tell(program);
+    if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
     program.json() = results(moving, contact);
     note_features(program, environment);
     note_faults(program, environment, moving);
