@@ -46,8 +46,8 @@ inline Mesh tiled_floor(int n) {
   return {vertices, faces};
 }
 
-/// A strip along y that bends at x = 0: from each side the surface rises with this slope (a valley), or falls (a
-/// ridge, if negative).
+/// A strip along y that bends at x = 0: from each side the surface rises with this slope (a valley), or falls
+/// (a ridge, if negative).
 inline Mesh bend(double slope) {
   return {
       {{0, 0, 0}, {0, 4, 0}, {-4, 0, 4 * slope}, {-4, 4, 4 * slope}, {4, 0, 4 * slope}, {4, 4, 4 * slope}},

@@ -66,7 +66,7 @@ void draw_lengths(const program::Program& program) {
   };
   const std::vector<Case> cases{
       {0.5, "½", {"floats", "懸空"}}, {1.0, "1", {"touches", "接觸"}}, {2.0, "2", {"sinks in", "陷入"}}};
-  figure::Scene scene({0, 0}, 0.02, {-0.45, 0.75, 0.9});
+  figure::Scene scene({0, 0}, 0.02);
   const double r = 0.8, apart = 2.9;
   scene.polygon({{-1.6, -0.95, 0}, {2 * apart + 1.35, -0.95, 0}, {2 * apart + 1.35, 0, 0}, {-1.6, 0, 0}},
                 {colour::floor}, -2);

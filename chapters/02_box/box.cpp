@@ -1,4 +1,7 @@
 // Chapter 2: a moving box meets a plane (paper, 1.3), what a camera rejects, and box or sphere (1.1, 3.2.1).
+#include <cmath>
+#include <limits>
+
 #include "figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/box_plane.hpp"
@@ -126,6 +129,7 @@ void tell_bounding(Report& report, Language language) {
 }
 //! [report]
 
+//! [results]
 Json results(const Scene& scene, const Moving<Box>& moving, const std::optional<Contact>& contact) {
   Json json;
   json["effective_radius"] = moving.shape.effective_radius(scene.plane.normal());
@@ -138,6 +142,64 @@ Json results(const Scene& scene, const Moving<Box>& moving, const std::optional<
                        {"normal", to_json(contact->normal)}};
   return json;
 }
+//! [results]
+
+//! [notes]
+// Numbers that the notes speak of: of the scene, ...
+void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving) {
+  const auto& [box, motion] = moving;
+  const Vector n = scene.plane.normal();
+  const double radius = box.effective_radius(n), distance = scene.plane.signed_distance(box.center);
+  const double half_sum = 0.5 * (box.r.norm() + box.s.norm() + box.t.norm());
+  const double one_sign = 0.5 * std::abs(n.dot(box.r + box.s + box.t));
+  const Vector lengths(box.r.norm(), box.s.norm(), box.t.norm());
+  for (int i = 0; i < 3; ++i) program.value("size." + std::to_string(i), lengths[i]);
+  program.value("r_n", box.r.dot(n));
+  program.value("s_n", box.s.dot(n));
+  program.value("t_n", box.t.dot(n));
+  program.value("distance", distance);
+  program.value("toward", n.dot(motion));
+  program.value("gap", std::abs(distance) - radius);
+  program.value("depth", radius - std::abs(distance));  // of the lowest vertex, if they overlap
+  program.value("thinnest", 0.5 * lengths.minCoeff());
+  program.value("half_diagonal", 0.5 * lengths.norm());
+  program.value("one_sign", one_sign);
+  program.value("one_sign_depth", radius - one_sign);
+  const double eps = std::numeric_limits<double>::epsilon();
+  program.value("error_bound",
+                8 * eps * (scene.from.norm() + std::abs(scene.plane.offset()) + half_sum + motion.norm()) /
+                    std::abs(n.dot(motion)));
+}
+
+// ... and of the studies.
+void note_studies(Program& program) {
+  const box_chapter::TurnedTogether turned = box_chapter::turned_together();
+  for (int i = 0; i < 3; ++i) program.value("turned." + std::to_string(i), turned.slopes[i]);
+  program.value("turned.exact", turned.exact_zeros);
+  program.value("turned.tolerant", turned.within_tolerance);
+  program.value("turned.corner_off", turned.corner_off);
+  program.value("tolerance", parallel_tolerance);
+  program.value("half_degree", std::sin(0.5 * std::acos(-1.0) / 180));
+  for (const auto& landing : box_chapter::landings()) {
+    const std::string name = to_string(landing.contact.feature);
+    program.value("landing." + name + ".time", landing.contact.time);
+    program.value("landing." + name + ".radius", landing.box.center.z());
+  }
+  const auto sights = box_chapter::sights();
+  program.value("sight.off_edge.distance", sights.back().distance);
+  program.value("sight.off_edge.radius", sights.back().radius);
+  for (const auto& shape : box_chapter::bounded_shapes()) {
+    const std::string name = shape.name.english.substr(shape.name.english.rfind(' ') + 1);
+    const auto note = [&](const std::string& kind, const auto& bounding) {
+      program.value(name + "." + kind + ".volume", volume(bounding) / shape.volume);
+      program.value(name + "." + kind + ".hits", box_chapter::more_often(bounding, shape.points));
+    };
+    note("sphere", shape.sphere);
+    note("upright", shape.upright);
+    note("turned", shape.turned);
+  }
+}
+//! [notes]
 
 }  // namespace
 
@@ -162,6 +224,8 @@ int main(int argc, char** argv) {
     tell_sights(program.report(), program.language());
     tell_bounding(program.report(), program.language());
     program.json() = results(scene, moving, contact);
+    note_scene(program, scene, moving);
+    note_studies(program);
     if (program.draws()) draw_box_figures(program, scene.plane, moving, contact);
   });
 }

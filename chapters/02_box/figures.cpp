@@ -1,5 +1,6 @@
 #include "figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -93,8 +94,8 @@ void draw_gauge(figure::Scene& scene, Point gauge, const Box& box, const Vector&
   scene.label("", gauge + Vector(0.75, 0, 0));  // room for what stands beside the gauge
 }
 
-// Figure 4: from the lowest vertex to the highest, along three edges, the box rises |R.N| + |S.N| + |T.N|; its centre
-// is half as high.
+// Figure 4: from the lowest vertex to the highest, along three edges, the box rises |R.N| + |S.N| + |T.N|;
+// its centre is half as high.
 void draw_effective_radius(const Studio& studio) {
   const Vector n(0, 0, 1);
   const Box box{{0, 0, 1.15}, {0.6, 1.2, 1.2}, {0.8, 0.4, -0.8}, {0.6, -0.6, 0.3}};
@@ -166,7 +167,8 @@ Box thickened(Box box) {
   return box;
 }
 
-// A scene near the origin and about as large as 1, whatever the caller's unit and place: so that it can be drawn.
+// A scene near the origin and about as large as 1, whatever the caller's unit and place: so that it can be
+// drawn.
 struct Drawable {
   Moving<Box> moving;
   Plane plane;
@@ -266,7 +268,63 @@ void draw_landings(const Studio& studio) {
   figure.draw();
 }
 
-// A leaning plank in its bounding sphere, its upright and its turned box, each with its volume beside the plank's.
+// Where a box pierces the plane z = 0: a convex polygon, in order around its middle.
+std::vector<Point> waterline(const Box& box) {
+  const auto corners = box.vertices();
+  std::vector<Point> crossings;
+  Point middle = Point::Zero();
+  for (unsigned i = 0; i < 8; ++i)
+    for (unsigned axis = 1; axis < 8; axis *= 2) {
+      const Point &p = corners[i], &q = corners[i ^ axis];
+      if (i & axis || (p.z() > 0) == (q.z() > 0)) continue;
+      crossings.emplace_back(p + p.z() / (p.z() - q.z()) * (q - p));
+      middle += crossings.back();
+    }
+  middle /= static_cast<double>(crossings.size());
+  std::sort(crossings.begin(), crossings.end(), [&](const Point& a, const Point& b) {
+    return std::atan2(a.y() - middle.y(), a.x() - middle.x()) <
+           std::atan2(b.y() - middle.y(), b.x() - middle.x());
+  });
+  return crossings;
+}
+
+// The paper's vertices with one common sign for the three axes, and all eight: stopped where the lowest of
+// them touches.
+void draw_signs(const program::Program& program) {
+  const View view{76, 14};
+  figure::Scene scene(view, 0.03);
+  scene.patch({0, 0, 0}, {3.0, 0, 0}, {0, 1.5, 0}, plane_fill, -3);
+  const Box upright = box_chapter::landings()[0].box;
+  for (const bool printed : {true, false}) {
+    const Vector half = 0.5 * (upright.r + upright.s + upright.t);
+    const Point center(printed ? -1.5 : 1.5, 0, printed ? half.z() : upright.center.z());
+    const Box box{center, upright.r, upright.s, upright.t};
+    scene.polygon(shadow(box, Plane({0, 0, 1}, 0)), {colour::shadow}, -2);
+    scene.box(box, glass);
+    if (printed) {
+      auto line = waterline(box);
+      scene.polygon(line, {colour::pink, 0.45}, 2);
+      line.push_back(line.front());
+      scene.line(line, {colour::pink, 2.0}, 3);
+      for (const double sign : {1.0, -1.0}) scene.dot(center + sign * half, colour::pink);
+    } else {
+      for (const Point& vertex : box.vertices()) scene.dot(vertex, colour::green);
+    }
+    scene.dot(center);
+    scene.label("{/:Italic Q}", center, 0.9, 0.5);
+    const program::Text said = printed ? program::Text{"one common sign", "同一符號"}
+                                       : program::Text{"three signs of their own", "三個獨立符號"};
+    const Point below = center.x() * Vector::UnitX();
+    scene.label(program.say(said), below - (1.5 + below.dot(view.up())) * view.up(), 0, 0,
+                printed ? colour::pink : colour::green);
+  }
+  Figure figure(program.studio(), "signs", scene.size(900));
+  scene.draw(figure);
+  figure.draw();
+}
+
+// A leaning plank in its bounding sphere, its upright and its turned box, each with its volume beside the
+// plank's.
 void draw_tightness(const Studio& studio) {
   const box_chapter::Bounded plank = box_chapter::bounded_shapes()[0];
   const Fill hull{colour::sky, 0.22, true};
@@ -330,6 +388,7 @@ void draw_box_figures(const program::Program& program, const Plane& plane, const
   draw_effective_radius(program.studio());
   draw_sweep(program.studio(), drawable(plane, moving, contact));
   draw_landings(program.studio());
+  draw_signs(program);
   draw_tightness(program.studio());
   draw_frustum(program.studio());
 }

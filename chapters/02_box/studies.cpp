@@ -35,8 +35,10 @@ TurnedTogether turned_together() {
   const Rigid turn(Eigen::Quaterniond(1, 2, 3, 4), {0, 0, 0});
   const Box brick = turn.box({{0, 0, 0}, {1.8, 0, 0}, {0, 1.2, 0}, {0, 0, 0.9}});
   const Vector n = turn.plane(Plane({0, 0, 1}, 0)).normal();
-  TurnedTogether count{0, 0};
+  TurnedTogether count{0, 0, {0, 0, 0}, 0.5 * (brick.r + brick.s).norm()};
+  Eigen::Index i = 0;
   for (const Vector& axis : {brick.r, brick.s, brick.t}) {
+    count.slopes[i++] = axis.dot(n) / axis.norm();
     count.exact_zeros += axis.dot(n) == 0;
     count.within_tolerance += std::abs(axis.dot(n)) <= parallel_tolerance * axis.norm();
   }

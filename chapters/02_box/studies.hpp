@@ -34,6 +34,8 @@ std::array<Landing, 3> landings();
 struct TurnedTogether {
   int exact_zeros;       ///< of R.N, S.N, T.N, as the paper asks for
   int within_tolerance;  ///< parallel to within rounding, as the library does
+  Vector slopes;         ///< R.N / |R| and so on, as computed
+  double corner_off;     ///< from the corner that the paper would report to the middle of the face that lands
 };
 TurnedTogether turned_together();
 

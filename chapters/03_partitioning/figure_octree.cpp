@@ -16,7 +16,8 @@ const Sphere coin{{0.655, 0.205, 0.315}, 0.035};
 
 const View view{70, 26};
 
-// The coin, and other things that lie about; two of them near it, so that the room is divided again and again there.
+// The coin, and other things that lie about; two of them near it, so that the room is divided again and again
+// there.
 std::vector<Bounds> things() {
   std::vector<Bounds> all{bounds_of(coin)};
   for (const Point& at :

@@ -13,5 +13,7 @@ void draw_same_side(const first_contact::figure::Studio& studio);
 void draw_grown_planes(const first_contact::figure::Studio& studio);
 /// A point against a box, a point against a shape, a box against a box.
 void draw_hit_tests(const first_contact::figure::Studio& studio);
-/// Depth and tests against the number of objects, as measured.
+/// A plane that keeps a ball and a triangle apart, and when the ball comes to it.
+void draw_support(const first_contact::figure::Studio& studio);
+/// Depth, work to build, and tests against the number of objects, as measured.
 void draw_costs(const first_contact::program::Program& program, std::uint64_t seed);

@@ -8,8 +8,8 @@
 #include "first_contact/geometry/triangle.hpp"
 #include "first_contact/sweep/contact.hpp"
 
-/// A wedge whose sharp edge is the y axis, open downwards: two faces that slope away from it at `half_angle` to the
-/// vertical.
+/// A wedge whose sharp edge is the y axis, open downwards: two faces that slope away from it at `half_angle`
+/// to the vertical.
 struct Wedge {
   double half_angle;  ///< in radians
 
@@ -20,9 +20,9 @@ struct Wedge {
 };
 
 //! [grown]
-/// When a ball enters the wedge as a BSP tree of planes grown by r sees it: its centre is behind all planes that are
-/// moved out by r. Nothing if it never is. This is not a contact: the corner of the grown planes sticks out to
-/// r / sin(half angle).
+/// When a ball enters the wedge as a BSP tree of planes grown by r sees it: its centre is behind all planes
+/// that are moved out by r. Nothing if it never is. This is not a contact: the corner of the grown planes
+/// sticks out to r / sin(half angle).
 std::optional<double> time_at_grown_planes(const first_contact::Moving<first_contact::Sphere>& ball,
                                            const Wedge& wedge);
 //! [grown]

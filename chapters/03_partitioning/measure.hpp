@@ -2,6 +2,8 @@
 #include <optional>
 #include <vector>
 
+#include "first_contact/partition/box_tree.hpp"
+#include "first_contact/partition/bsp_tree.hpp"
 #include "first_contact/partition/octree.hpp"
 #include "first_contact/partition/soup.hpp"
 #include "room.hpp"
@@ -9,6 +11,7 @@
 /// What one structure did for many flights.
 struct Cost {
   std::size_t nodes = 0, depth = 0;  ///< of the structure
+  std::size_t work = 0;              ///< objects looked at to build it
   std::size_t tests = 0;             ///< of a ball against one triangle, over all flights
   std::size_t hits = 0;              ///< flights that end at a triangle
   std::size_t looked_at = 0;         ///< nodes, over all flights
@@ -25,7 +28,10 @@ struct Cost {
 template <first_contact::Partition Tree>
 Cost measure(const first_contact::Soup<Tree>& soup,
              const std::vector<first_contact::Moving<first_contact::Sphere>>& flights) {
-  Cost cost{soup.tree().nodes(), soup.tree().depth(), 0, 0, 0, {}};
+  Cost cost;
+  cost.nodes = soup.tree().nodes();
+  cost.depth = soup.tree().depth();
+  cost.work = soup.tree().work();
   for (const auto& ball : flights) {
     first_contact::Statistics counted;
     cost.contacts.push_back(sweep(ball, soup, &counted));
@@ -40,12 +46,21 @@ Cost measure(const first_contact::Soup<Tree>& soup,
 /// Do two structures give the same contacts, to the last bit?
 bool same_contacts(const Cost& a, const Cost& b);
 
-/// How deep the objects of an octree lie: the paper's time to find one of k (1.4).
+/// How deep the objects of a tree lie: the paper's time to find one of k (1.4).
 struct Depth {
   double mean;
   std::size_t deepest;
 };
 Depth depth_of_objects(const first_contact::Octree& tree);
+Depth depth_of_objects(const first_contact::BspTree& tree);
+Depth depth_of_objects(const first_contact::BoxTree& tree);
 
 /// log_8 k; 0 for k < 1.
 double log8(std::size_t k);
+
+/// Of the pairs of boxes that overlap, those that share a leaf of an octree: all that a search finds that goes down
+/// into one child only.
+struct Pairs {
+  std::size_t all, in_one_leaf;
+};
+Pairs overlapping_pairs(const std::vector<first_contact::Bounds>& boxes);

@@ -1,9 +1,12 @@
-// Chapter 3: who could be hit at all? An octree, a BSP tree, and hit tests (paper, 1.4, 2.4.1).
+// Chapter 3: who could be hit at all? An octree, a BSP tree, a tree of boxes, and hit tests (paper, 1.4,
+// 2.4.1).
+#include <algorithm>
 #include <cstdio>
 #include <numbers>
 
 #include "figures.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/partition/box_tree.hpp"
 #include "first_contact/partition/brute_force.hpp"
 #include "first_contact/partition/bsp_tree.hpp"
 #include "first_contact/program/program.hpp"
@@ -21,7 +24,7 @@ constexpr std::size_t flight_count = 100;
 
 //! [costs]
 struct Costs {
-  Cost octree, bsp, brute_force;
+  Cost octree, bsp, bvh, brute_force;
   std::size_t objects;
 
   Costs(const std::vector<Triangle>& triangles, std::uint64_t seed) : objects(triangles.size()) {
@@ -29,9 +32,13 @@ struct Costs {
     const auto balls = flights(flight_count, in_octree.bounds(), seed + 1);
     octree = measure(in_octree, balls);
     bsp = measure(Soup<BspTree>(triangles), balls);
+    bvh = measure(Soup<BoxTree>(triangles), balls);
     brute_force = measure(Soup<BruteForce>(triangles), balls);
   }
-  bool agree() const { return same_contacts(octree, brute_force) && same_contacts(bsp, brute_force); }
+  bool agree() const {
+    return same_contacts(octree, brute_force) && same_contacts(bsp, brute_force) &&
+           same_contacts(bvh, brute_force);
+  }
 };
 //! [costs]
 
@@ -44,9 +51,12 @@ std::string fixed(double value, int digits) {
 }
 
 //! [report]
-void tell_tree(Report& report, const Cost& cost) {
+void tell_tree(Report& report, const Cost& cost, std::size_t objects) {
   report.row("nodes", static_cast<double>(cost.nodes), {"of the tree", "樹的節點數"});
   report.row("depth", static_cast<double>(cost.depth), {"of the deepest leaf", "最深的葉節點"});
+  report.row("work to build",
+             static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(objects)),
+             {"how often an object was looked at, on the average", "建樹時平均每個物品被檢視的次數"});
   report.row("nodes looked at", cost.per_flight(cost.looked_at), {"on the average flight", "每次飛行平均"});
   report.row("tests", cost.per_flight(cost.tests),
              {"of the ball against a triangle, on the average flight", "球與三角形的測試，每次飛行平均"});
@@ -64,12 +74,15 @@ void tell(Report& report, const Costs& costs) {
   report.row("tests", costs.brute_force.per_flight(costs.brute_force.tests),
              {"on the average flight", "每次飛行平均"});
   report.say({"The octree: a cube cut into eight, and those again", "八元樹：立方體切成八等份，再繼續切"});
-  tell_tree(report, costs.octree);
+  tell_tree(report, costs.octree, costs.objects);
   report.row("log_8 k", log8(costs.objects),
              {"the paper's time to find one object", "論文：平均找到一物品的時間"});
   report.say({"The BSP tree: space cut in two along polygons", "BSP tree：以多邊形平面分割空間"});
-  tell_tree(report, costs.bsp);
-  report.say({"All three give the same contacts, to the last bit", "三者的碰撞結果完全相同"});
+  tell_tree(report, costs.bsp, costs.objects);
+  report.say({"The BVH: boxes around boxes, cut where few flights need both parts",
+              "BVH：層層包圍的方盒，於較少飛行須兼顧兩側處分割"});
+  tell_tree(report, costs.bvh, costs.objects);
+  report.say({"All four give the same contacts, to the last bit", "四者的碰撞結果完全相同"});
   report.row("same", truth(costs.agree()),
              {"time, point, normal, feature, triangle", "時間、碰撞點、法向量等"});
 }
@@ -153,6 +166,57 @@ void tell_hit_tests(Report& report) {
 }
 //! [report]
 
+//! [notes]
+// Numbers that the notes speak of: what a flight costs, ...
+void note_costs(Program& program, const Costs& costs, const std::vector<Triangle>& triangles) {
+  const auto note = [&](const std::string& name, const Cost& cost) {
+    program.value(name + ".per_flight", cost.per_flight(cost.tests));
+    program.value(name + ".looked_at", cost.per_flight(cost.looked_at));
+    program.value(name + ".work", static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(costs.objects)));
+    program.value(name + ".times_fewer",
+                  costs.brute_force.per_flight(costs.brute_force.tests) / cost.per_flight(cost.tests));
+  };
+  note("in_octree", costs.octree);
+  note("in_bsp", costs.bsp);
+  note("in_bvh", costs.bvh);
+  program.value("hits", static_cast<double>(costs.brute_force.hits));
+  program.value("all_tests", static_cast<double>(costs.brute_force.tests));
+  program.value("log8", log8(costs.objects));
+  const double pieces = static_cast<double>(BspTree(triangles).order().size());
+  program.value("pieces", pieces / std::max<double>(1, static_cast<double>(costs.objects)));
+  program.value("octree_node", sizeof(Octree::Node));
+  program.value("bsp_node", sizeof(BspTree::Node));
+  program.value("bvh_node", sizeof(BoxTree::Node));
+  program.value("margin", search_margin);
+}
+
+// ... how deep objects lie, and what goes wrong.
+void note_depths(Program& program, std::uint64_t seed) {
+  for (const Spread spread : {Spread::even, Spread::clustered})
+    for (const std::size_t k : {8U, 64U, 512U, 4096U}) {
+      const Depth depth = depth_of_objects(Octree(points(k, spread, seed), OctreeLimits{1, 20}));
+      const std::string name = (spread == Spread::even ? "even." : "clustered.") + std::to_string(k);
+      program.value(name + ".mean", depth.mean);
+      program.value(name + ".deepest", static_cast<double>(depth.deepest));
+    }
+}
+
+void note_faults(Program& program, std::uint64_t seed) {
+  for (const double degrees : {45.0, 15.0, 5.0}) {
+    const Wedge wedge{degrees * std::numbers::pi / 180};
+    const auto time = time_at_grown_planes({{{0, 0, 16}, 1}, {0, 0, -16}}, wedge);
+    program.value("grown." + readable(degrees), 16 - 16 * *time);
+  }
+  std::vector<Bounds> boxes;
+  for (const Triangle& shard : shards(1000, Spread::even, seed)) boxes.push_back(bounds_of(shard));
+  const Pairs pairs = overlapping_pairs(boxes);
+  program.value("pairs.all", static_cast<double>(pairs.all));
+  program.value("pairs.found", static_cast<double>(pairs.in_one_leaf));
+  program.value("pairs.lost", static_cast<double>(pairs.all - pairs.in_one_leaf));
+}
+//! [notes]
+
+//! [results]
 Json to_json(const Cost& cost) {
   return {{"nodes", cost.nodes}, {"depth", cost.depth}, {"tests", cost.tests}, {"hits", cost.hits}};
 }
@@ -161,6 +225,8 @@ std::string at_most_a_million(double value) {
   return value >= 0 && value <= 1e6 ? "" : "must be from 0 to 1000000";
 }
 
+//! [results]
+
 void draw_figures(const Program& program, std::uint64_t seed) {
   draw_octree(program.studio());
   draw_bsp(program.studio());
@@ -168,6 +234,7 @@ void draw_figures(const Program& program, std::uint64_t seed) {
   draw_grown_planes(program.studio());
   draw_hit_tests(program.studio());
   draw_costs(program, seed);
+  draw_support(program.studio());
 }
 
 //! [scene]
@@ -194,7 +261,7 @@ std::vector<Triangle> triangles_of(const Scene& scene) {
 //! [main]
 int main(int argc, char** argv) {
   Program program("partitioning", "03_partitioning",
-                  "Octree and BSP tree: who could be hit at all? Hit tests (paper, 1.4, 2.4.1).");
+                  "Octree, BSP tree and BVH: who could be hit at all? Hit tests (paper, 1.4, 2.4.1).");
   Scene scene;
   program.option("--objects", scene.objects, "n", "number of triangles in the room", at_most_a_million);
   program.option("--seed", scene.seed, "k", "of the random numbers");
@@ -211,12 +278,13 @@ int main(int argc, char** argv) {
     tell_same_side(program.report());
     tell_grown_planes(program.report());
     tell_hit_tests(program.report());
-    program.json() = {{"objects", costs.objects},
-                      {"flights", flight_count},
-                      {"octree", to_json(costs.octree)},
-                      {"bsp", to_json(costs.bsp)},
-                      {"brute_force", to_json(costs.brute_force)},
-                      {"same", costs.agree()}};
+    program.json() = {
+        {"objects", costs.objects},  {"flights", flight_count},   {"octree", to_json(costs.octree)},
+        {"bsp", to_json(costs.bsp)}, {"bvh", to_json(costs.bvh)}, {"brute_force", to_json(costs.brute_force)},
+        {"same", costs.agree()}};
+    note_costs(program, costs, triangles);
+    note_depths(program, seed);
+    note_faults(program, seed);
     if (program.draws()) draw_figures(program, seed);
   });
 }

@@ -10,8 +10,9 @@
 /// \file
 /// Rooms full of objects, and balls that fly through them: the same for a seed on every computer.
 
-/// Random numbers that do not depend on the platform. The standard lays down every bit of the generator, but leaves
-/// its distributions to the library; so numbers are made of the bits here, by arithmetic that is exact.
+/// Random numbers that do not depend on the platform. The standard lays down every bit of the generator, but
+/// leaves its distributions to the library; so numbers are made of the bits here, by arithmetic that is
+/// exact.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : generator_(seed) {}
@@ -27,8 +28,8 @@ class Random {
   std::mt19937_64 generator_;
 };
 
-/// How objects lie in a room: evenly spread, or crowded about one point, at 12 sizes from the room's on, each half the
-/// one before.
+/// How objects lie in a room: evenly spread, or crowded about one point, at 12 sizes from the room's on, each
+/// half the one before.
 enum class Spread { even, clustered };
 
 /// Triangles in a room of edge 1, as large as the space that each has to itself allows.

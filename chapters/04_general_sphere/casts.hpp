@@ -15,13 +15,13 @@ struct Casts {
   std::vector<first_contact::Moving<first_contact::Sphere>> moving;
 };
 
-/// Reads a table with the columns x0,y0,z0,x1,y1,z1,r: start, end and radius of a cast in each line. A first line with
-/// just these names is a header; empty lines are passed over.
+/// Reads a table with the columns x0,y0,z0,x1,y1,z1,r: start, end and radius of a cast in each line. A first
+/// line with just these names is a header; empty lines are passed over.
 /// \throws std::runtime_error that names the line, its value and the rule.
 Casts read_casts(const std::string& file);
 
-/// The results, a line a cast: hit,time,px,py,pz,nx,ny,nz,feature,triangle, with 17 significant digits; hit is 1, or 0
-/// with all the rest empty. A header if the casts had one.
+/// The results, a line a cast: hit,time,px,py,pz,nx,ny,nz,feature,triangle, with 17 significant digits; hit
+/// is 1, or 0 with all the rest empty. A header if the casts had one.
 std::string results_of(const Casts& casts, const first_contact::Environment& environment);
 
 }  // namespace general_sphere_chapter

@@ -40,7 +40,8 @@ void finish(const Studio& studio, const std::string& name, const figure::Scene& 
   figure.draw();
 }
 
-// Figure 6: the centres of all spheres in contact with a solid lie on the solid moved out by r, round at its corners.
+// Figure 6: the centres of all spheres in contact with a solid lie on the solid moved out by r, round at its
+// corners.
 void draw_moved_out(const Studio& studio) {
   figure::Scene scene(from_above);
   const double r = 0.7;
@@ -146,10 +147,39 @@ void draw_printed_cylinder(const program::Program& program) {
   scene.sphere({right, r}, colour::amber, 0.5);
   scene.arrow(start, right);
   for (const Point& p : {edge, moved, early, right}) scene.dot(p);
-  scene.label(program.say({"as printed", "論文所印"}), early - at(r, 0), -0.6, 0.4, colour::pink,
+  scene.label(program.say({"as printed", "論文所印"}), early + at(-0.9 * r, r), -0.4, 0, colour::pink,
               Align::right);
   scene.label(program.say({"corrected", "修正"}), at(r, -0.25), 0.8, -1.2, colour::green, Align::left);
   finish(program.studio(), "printed-cylinder", scene);
+}
+
+// The paper's order, taken literally: the floor comes first in the list, and the ball is let through the step above it.
+void draw_order(const program::Program& program) {
+  figure::Scene scene(from_above);
+  const double r = 0.5;
+  const Moving<Sphere> falling{{{1, 0, 3}, r}, {0, 0, -3}};
+  const Mesh stairs = general_sphere_chapter::step();
+  const auto height = [&](double t) { return falling.shape.center.z() + t * falling.displacement.z(); };
+  const double through = height(general_sphere_chapter::first_face_in_the_list(falling, stairs)->time);
+  const double touching = height(sweep(falling, stairs)->time);
+  scene.polygon({at(-2, -0.25), at(2, -0.25), at(2, 0), at(-2, 0)}, {colour::floor}, -2);
+  scene.polygon({at(0, 0), at(2, 0), at(2, 1), at(0, 1)}, {colour::floor}, -2);
+  scene.line({at(-2, 0), at(2, 0)}, {colour::blue, 2.4}, -1);
+  scene.line({at(0, 0), at(0, 1), at(2, 1)}, {colour::blue, 2.4}, -1);
+  scene.line({at(-2, r), at(2, r)}, moved_out);
+  scene.line({at(0, 1 + r), at(2, 1 + r)}, moved_out);
+  scene.line({at(1, touching), at(1, through)}, {colour::pink, 1.4, true}, 3);
+  scene.sphere({at(1, through), r}, colour::pink, 0.3, 1);
+  scene.sphere({at(1, touching), r}, colour::amber, 0.55, 2);
+  scene.arrow(at(1, 2.7), at(1, touching), {colour::red, 2.4}, 4);
+  scene.dot(at(1, through), colour::pink);
+  scene.dot(at(1, touching));
+  scene.label("1", at(-1.8, 0), 0, 0.9, colour::blue);
+  scene.label("2", at(0.2, 1), 0, 0.9, colour::blue);
+  scene.label(program.say({"as printed", "論文所印"}), at(2, through), 0.8, 0, colour::pink, Align::left);
+  scene.label(program.say({"corrected", "修正"}), at(2, touching), 0.8, 0, colour::green, Align::left);
+  scene.label("", at(2.8, 0));  // room for both
+  finish(program.studio(), "order", scene);
 }
 
 // All faces, edges and vertices moved out: the Minkowski sum of the solid and a ball.
@@ -218,7 +248,7 @@ void draw_bunny(const program::Program& program) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Point place = legend + 0.38 * size * static_cast<double>(i) * view.right();
     scene.sphere({place, 0.035 * size}, colour_of(names[i].first), 1, 2, 9);
-    scene.label(program.say(names[i].second), place, 1.6, 0, colour::ink, Align::left);
+    scene.label(program.say(names[i].second), place, 2.4, 0, colour::ink, Align::left);
   }
   finish(program.studio(), "bunny", scene);
 }
@@ -256,6 +286,7 @@ void draw_general_sphere_figures(const program::Program& program, const Environm
   draw_valley(studio);
   draw_jar(studio);
   draw_printed_cylinder(program);
+  draw_order(program);
   draw_minkowski_sum(studio);
   draw_ray(studio);
   draw_bunny(program);

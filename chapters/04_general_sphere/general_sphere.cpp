@@ -1,10 +1,15 @@
-// Chapter 4: a moving sphere against an arbitrary environment (paper, 2.1), and a ray against a triangle (3.2.3).
+// Chapter 4: a moving sphere against an arbitrary environment (paper, 2.1), and a ray against a triangle
+// (3.2.3).
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 
+#include "accuracy.hpp"
 #include "casts.hpp"
 #include "figures.hpp"
+#include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
@@ -114,6 +119,52 @@ void tell_ray(Report& report) {
 }
 //! [report]
 
+//! [notes]
+// How far a point is from the surface.
+double distance_from(const Environment& environment, const Point& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < environment.mesh().size(); ++i)
+    least = std::min(least, (closest_point(point, environment.mesh().triangle(i)) - point).norm());
+  return least;
+}
+
+// Numbers that the notes speak of: the features of the environment, ...
+void note_features(Program& program, const Environment& environment) {
+  const MeshEdges& topology = environment.topology();
+  const std::size_t vertices = environment.mesh().vertices().size();
+  std::map<EdgeKind, double> count;
+  for (const auto& edge : topology.edges()) ++count[edge.kind];
+  double buried = 0;
+  for (std::uint32_t i = 0; i < vertices; ++i) buried += topology.buried(i);
+  program.value("faces", static_cast<double>(environment.mesh().size()));
+  program.value("edges", static_cast<double>(topology.edges().size()));
+  program.value("vertices", static_cast<double>(vertices));
+  program.value("features",
+                static_cast<double>(environment.mesh().size() + topology.edges().size() + vertices));
+  program.value("convex", count[EdgeKind::convex]);
+  program.value("concave", count[EdgeKind::concave]);
+  program.value("flat", count[EdgeKind::flat]);
+  program.value("boundary", count[EdgeKind::boundary]);
+  program.value("buried", buried);
+}
+
+// ... the cylinder as printed, and the order as printed.
+void note_faults(Program& program, const Environment& environment, const Moving<Sphere>& moving) {
+  const double radius = moving.shape.radius;
+  program.value("radius", radius);
+  program.value("edge_gap", std::sqrt(2.0) * radius);  // of a right-angled edge, met along the diagonal
+  if (const auto printed = printed_time(moving, environment)) {
+    const Point stopped = moving.shape.center + *printed * moving.displacement;
+    program.value("printed_time", *printed);
+    program.value("printed_gap", distance_from(environment, stopped) - radius);
+  }
+  const Moving<Sphere> falling{{{1, 0, 3}, 0.5}, {0, 0, -3}};
+  program.value("first_face", first_face_in_the_list(falling, step())->time);
+  program.value("first_contact", sweep(falling, step())->time);
+}
+//! [notes]
+
+//! [results]
 Json results(const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
   Json json;
   json["contact"] = nullptr;
@@ -126,6 +177,7 @@ Json results(const Moving<Sphere>& moving, const std::optional<Contact>& contact
                        {"triangle", contact->triangle}};
   return json;
 }
+//! [results]
 
 Environment environment_of(Program& program, const Scene& scene) {
   if (!program.given("--mesh")) return Environment(cut_cube());
@@ -171,7 +223,12 @@ int main(int argc, char** argv) {
     tell_order(program.report());
     tell_ray(program.report());
     program.json() = results(moving, contact);
-    if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
+    note_features(program, environment);
+    note_faults(program, environment, moving);
+    note_accuracy(program);
+    if (!program.draws()) return;
+    draw_general_sphere_figures(program, environment, moving, contact);
+    draw_accuracy(program);
   });
 }
 //! [main]

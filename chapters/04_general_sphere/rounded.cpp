@@ -53,7 +53,8 @@ std::vector<Vector> normals_around(const Environment& solid, std::uint32_t verte
   return normals;
 }
 
-// The part of the ball about a vertex between the normals around it, as triangles with a corner in their middle.
+// The part of the ball about a vertex between the normals around it, as triangles with a corner in their
+// middle.
 void draw_ball(Scene& scene, const Point& vertex, const std::vector<Vector>& normals, double r,
                const View& view, int layer) {
   Vector middle = Vector::Zero();

@@ -4,7 +4,8 @@
 
 /// Drawings of solids and of what becomes of them when they are moved out by a radius.
 
-/// A convex polygon in the plane z = 0, its corners anticlockwise, moved out by r: a closed line, round at the corners.
+/// A convex polygon in the plane z = 0, its corners anticlockwise, moved out by r: a closed line, round at
+/// the corners.
 std::vector<first_contact::Point> rounded_outline(const std::vector<first_contact::Point>& corners, double r);
 
 /// The edges at which an environment bends or ends, as far as a face at them looks at the eye.

@@ -12,8 +12,8 @@ first_contact::Mesh cut_cube();
 /// A floor and a step upon it. Two of its faces look up: the floor's come first in the list.
 first_contact::Mesh step();
 
-/// The paper's cylinder about a ridge of a solid, taken literally: its axis is the edge of the *moved-out* solid, at the
-/// distance r from both faces. The time at which a sphere's centre meets it.
+/// The paper's cylinder about a ridge of a solid, taken literally: its axis is the edge of the *moved-out*
+/// solid, at the distance r from both faces. The time at which a sphere's centre meets it.
 std::optional<double> time_of_printed_cylinder(const first_contact::Moving<first_contact::Sphere>& moving,
                                                const first_contact::Environment& environment,
                                                const first_contact::MeshEdges::Edge& edge);

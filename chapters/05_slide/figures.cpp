@@ -8,6 +8,7 @@
 #include "first_contact/geometry/mesh_file.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
+#include "jitter.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;
@@ -140,7 +141,8 @@ void draw_room(const Studio& studio, const char* name, const std::vector<Rectang
   figure.draw();
 }
 
-// At a shallow angle a gap that is laid back along the path is next to none; along the normal it is what it is.
+// At a shallow angle a gap that is laid back along the path is next to none; along the normal it is what it
+// is.
 void draw_gap(const program::Program& program) {
   const double angle = 14 * std::numbers::pi / 180, gap = 0.6;
   const Vector along(std::cos(angle), 0, -std::sin(angle));
@@ -175,24 +177,50 @@ void draw_gap(const program::Program& program) {
   figure.draw();
 }
 
-// Frame after frame with the same wish, a ball slides over the bunny's back, along its cheek and down its chest.
+// Frame after frame with the same wish, a ball slides over the bunny's back, its cheek and its chest.
 void draw_bunny(const Studio& studio) {
   const Environment bunny(read_mesh(FIRST_CONTACT_DATA "/bunny.off"));
-  const Vector wish(-0.05, 0, -0.06);
-  Sphere ball{{4, -1.2, 9}, 0.5};
+  const auto& [ball, wish] = over_the_bunny;
+  const Frames run = slide_frames(over_the_bunny, bunny, 150);
   figure::Scene scene({72, 24}, 0.03);
   scene.mesh(bunny.mesh(), {colour::floor, 1, true}, true, -1);
   scene.sphere(ball);
   scene.arrow(ball.center, ball.center + 16 * wish, {colour::red, 2.4}, 3);
-  std::vector<Point> trace{ball.center};
-  for (int frame = 0; frame < 150; ++frame) {
-    ball.center = slide(Moving<Sphere>{ball, wish}, bunny).end();
-    trace.push_back(ball.center);
-    if (frame == 85 || frame == 149) scene.sphere(ball, colour::amber, 0.6, 1);
-  }
-  scene.line(trace, {colour::green, 2.4}, 2);
+  for (const std::size_t frame : {86U, 150U})
+    scene.sphere({run.positions[frame], ball.radius}, colour::amber, 0.6, 1);
+  scene.line(run.positions, {colour::green, 2.4}, 2);
   Figure figure(studio, "bunny", scene.size());
   scene.draw(figure);
+  figure.draw();
+}
+
+// Pressed into a corner of 120 degrees: wall after wall the ball jitters, with both walls it stands.
+void draw_jitter(const program::Program& program) {
+  const int frames = 40;
+  const Environment corner(wide_corner);
+  const Frames naive = wall_after_wall_frames(into_wide_corner, corner, frames);
+  const Frames both = slide_frames(into_wide_corner, corner, frames);
+  const auto rows = [](const Frames& run) {
+    Table table;
+    for (std::size_t i = 0; i < run.positions.size(); ++i)
+      table.push_back({static_cast<double>(i), run.positions[i].y()});
+    return table;
+  };
+  Figure figure(program.studio(), "jitter", {720, 300});
+  figure.data("naive", rows(naive), 5);
+  figure.data("both", rows(both), 5);
+  figure.script()
+      << "set lmargin at screen 0.095\nset rmargin at screen 0.975\nset bmargin at screen 0.25\n"
+      << "set tmargin at screen 0.86\nset grid\nunset key\nset xrange [0:" << frames
+      << "]\nset yrange [-0.15:0.3]\nset ytics 0.1\nset xtics font \",15\"\nset ytics font \",15\"\n"
+      << "set label 1 \"" << program.say({"beside the corner", "偏離角落的距離"})
+      << "\" at screen 0.02, 0.93 left tc rgb INK\nset label 2 \"" << program.say({"frame", "影格"})
+      << "\" at screen 0.535, 0.05 center tc rgb INK\nset label 3 \""
+      << program.say({"one wall after the other", "逐牆投影"})
+      << "\" at 24, 0.14 center tc rgb PINK\nset label 4 \""
+      << program.say({"both walls at once", "兼顧兩牆"}) << "\" at 24, -0.105 center tc rgb GREEN\n"
+      << "plot $naive with linespoints pt 7 ps 0.45 lc rgb PINK lw 1.6, $both with linespoints pt 7 ps "
+         "0.45 lc rgb GREEN lw 2.2\n";
   figure.draw();
 }
 
@@ -234,6 +262,7 @@ void draw_slide_figures(const program::Program& program, const Environment& envi
   draw_half_sunk(program);
   draw_room(program.studio(), "crease", crease, into_crease);
   draw_room(program.studio(), "corner", corner, into_corner);
+  draw_jitter(program);
   draw_gap(program);
   draw_bunny(program.studio());
   draw_run(program.studio(), environment, ball, path);

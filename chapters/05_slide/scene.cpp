@@ -1,6 +1,7 @@
 #include "scene.hpp"
 
 #include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/sweep/sphere_mesh.hpp"
 
 using namespace first_contact;
 
@@ -15,6 +16,8 @@ const Moving<Sphere> into_crease{{{-2.2, -1.2, 1.1}, 0.5}, {4.5, 5, -1.8}};
 const Moving<Sphere> into_corner{{{-0.8, -1.4, 1.2}, 0.5}, {5.5, 3, -3}};
 //! [rooms]
 
+const Moving<Sphere> over_the_bunny{{{4, -1.2, 9}, 0.5}, {-0.05, 0, -0.06}};
+
 Environment Scene::environment() const { return Environment(mesh.empty() ? walls(ground) : read_mesh(mesh)); }
 
 Mesh walls(const std::vector<Rectangle>& rectangles) {
@@ -28,3 +31,16 @@ Mesh walls(const std::vector<Rectangle>& rectangles) {
   }
   return {std::move(vertices), std::move(faces)};
 }
+
+//! [slide_frames]
+Frames slide_frames(const Moving<Sphere>& ball, const Environment& environment, int frames) {
+  Frames run{{ball.shape.center}};
+  for (int frame = 0; frame < frames; ++frame) {
+    const Sphere now{run.positions.back(), ball.shape.radius};
+    const Slide path = slide(Moving<Sphere>{now, ball.displacement}, environment);
+    run.positions.push_back(path.end());
+    run.contacts += path.contacts.size();
+  }
+  return run;
+}
+//! [slide_frames]

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "first_contact/geometry/environment.hpp"
 #include "first_contact/response/slide.hpp"
@@ -29,3 +30,14 @@ extern const std::vector<Rectangle> ground, crease, corner;
 
 /// Two walls and the ball that the report and the figures send into their crease or their corner.
 extern const first_contact::Moving<first_contact::Sphere> into_crease, into_corner;
+
+/// What becomes of a ball that is sent the same way in frame after frame.
+struct Frames {
+  std::vector<first_contact::Point> positions;  ///< of its centre: at the start, and after each frame
+  std::size_t contacts = 0;                     ///< of all frames
+};
+
+/// Over the bunny's back, along its cheek and down its chest.
+extern const first_contact::Moving<first_contact::Sphere> over_the_bunny;
+Frames slide_frames(const first_contact::Moving<first_contact::Sphere>& ball,
+                    const first_contact::Environment& environment, int frames);

@@ -5,9 +5,11 @@
 #include <numbers>
 
 #include "figures.hpp"
+#include "first_contact/geometry/mesh_file.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
+#include "jitter.hpp"
 #include "scene.hpp"
 
 using namespace first_contact;
@@ -100,7 +102,7 @@ void tell_gap(Report& report) {
     const Moving<Sphere> ball{{{0, 0, 2}, 1}, {2 / std::tan(angle), 0, -2}};
     const double gap = slide_gap * (2 + std::max(2.0, 2 / std::tan(angle)));
     const double kept = (slide(ball, level).positions[1].z() - 1) / gap;
-    report.row("at " + readable(degrees) + " degrees",
+    report.row("at " + readable(degrees) + (degrees == 1 ? " degree" : " degrees"),
                readable(std::sin(angle)) + " g, " + readable(std::round(kept * 100) / 100) + " g",
                {"height above the wall: along the path, along the normal", "離牆高度：沿路徑、沿法向量"});
   }
@@ -121,6 +123,71 @@ Json results(const Slide& path) {
   json["end"] = to_json(path.end());
   return json;
 }
+
+//! [notes]
+// Numbers that the notes speak of: of one wall, of walls one after the other, of a walk over the bunny.
+void note_wall(Program& program, const Environment& environment, const Moving<Sphere>& ball,
+               const Slide& path) {
+  program.value("radius", ball.shape.radius);
+  program.value("asked", ball.displacement.norm());
+  program.value("length", length_of(path));
+  program.value("gap",
+                slide_gap * std::max(extent(environment), ball.shape.center.lpNorm<Eigen::Infinity>() +
+                                                              ball.displacement.lpNorm<Eigen::Infinity>()));
+  const auto contact = sweep(ball, environment);
+  if (!contact) return;
+  const Point p2 = ball.shape.center + ball.displacement;
+  const Point q = ball.shape.center + contact->time * ball.displacement;
+  const Point p3 = slide_target(p2, q, contact->normal);
+  program.value("time", contact->time);
+  program.value("depth", (p2 - q).dot(contact->normal));
+  program.value("left", (p2 - q).norm());
+  program.value("slid", (p3 - q).norm());
+  program.value("through_x", p3.x());
+  program.value("through_y", p3.y());
+  program.value("through_z", p3.z());
+}
+
+// Where the ball would end after the first wall alone, and where it ends in truth.
+void note_second_wall(Program& program, const std::string& name, const std::vector<Rectangle>& room,
+                      const Moving<Sphere>& ball) {
+  const Slide path = slide(ball, Environment(walls(room)));
+  const Contact& first = path.contacts[0];
+  const Point p2 = ball.shape.center + ball.displacement;
+  const Point q = ball.shape.center + first.time * ball.displacement;
+  const Point p3 = slide_target(p2, q, first.normal);
+  program.value(name + "_through_x", p3.x());
+  program.value(name + "_through_y", p3.y());
+  program.value(name + "_end_x", path.end().x());
+  program.value(name + "_end_y", path.end().y());
+}
+
+// How large the gap is if it is laid along the path, as part of what it should be, at one degree and at ten.
+void note_gap(Program& program) {
+  for (const int degrees : {1, 10})
+    program.value("gap_at_" + std::to_string(degrees), std::sin(degrees * std::numbers::pi / 180));
+}
+
+void note_frames(Program& program) {
+  const Environment wide(wide_corner), bunny(read_mesh(FIRST_CONTACT_DATA "/bunny.off"));
+  const int frames = 40, settled = 10;  // by then the ball is in the corner
+  const auto width = [](const Frames& run) {
+    double most = 0;
+    for (std::size_t i = settled + 1; i < run.positions.size(); ++i)
+      most = std::max(most, (run.positions[i] - run.positions[i - 1]).norm());
+    return most;
+  };
+  program.value("jitter", width(wall_after_wall_frames(into_wide_corner, wide, frames)));
+  program.value("no_jitter", width(slide_frames(into_wide_corner, wide, frames)));
+  const Point& far_end = wide_corner.vertices()[1];
+  program.value("wide_corner_degrees", 2 * std::atan2(far_end.y(), far_end.x()) * 180 / std::numbers::pi);
+  program.value("wish", into_wide_corner.displacement.norm());
+  const Frames walk = slide_frames(over_the_bunny, bunny, 150);
+  program.value("bunny_triangles", static_cast<double>(bunny.mesh().size()));
+  program.value("bunny_frames", static_cast<double>(walk.positions.size() - 1));
+  program.value("bunny_contacts", static_cast<double>(walk.contacts));
+}
+//! [notes]
 
 }  // namespace
 
@@ -146,6 +213,11 @@ int main(int argc, char** argv) {
                      {"A third wall: the sphere stops in the corner", "第三面牆：停在角落"});
     tell_gap(report);
     program.json() = results(path);
+    note_wall(program, environment, ball, path);
+    note_second_wall(program, "crease", crease, into_crease);
+    note_second_wall(program, "corner", corner, into_corner);
+    note_gap(program);
+    note_frames(program);
     if (program.draws()) draw_slide_figures(program, environment, ball, path);
   });
 }

@@ -204,6 +204,7 @@ void draw_moving_spheres_figures(const program::Program& program, const Moving<S
                                  const Moving<Sphere>& q) {
   draw_motions(program.studio());
   draw_contact(program.studio());
+  draw_distance(program, p, q);
   if (p.displacement != q.displacement) draw_closest_approach(program.studio(), p, q);
   draw_far_away(program);
   draw_growth(program);

@@ -8,5 +8,10 @@ void draw_moving_spheres_figures(const first_contact::program::Program& program,
                                  const first_contact::Moving<first_contact::Sphere>& p,
                                  const first_contact::Moving<first_contact::Sphere>& q);
 
+/// The distance of the centres as time goes by.
+void draw_distance(const first_contact::program::Program& program,
+                   const first_contact::Moving<first_contact::Sphere>& p,
+                   const first_contact::Moving<first_contact::Sphere>& q);
+
 /// How the work for n spheres grows: every pair, one axis, and boxes halved like quicksort.
 void draw_growth(const first_contact::program::Program& program);

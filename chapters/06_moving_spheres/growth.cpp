@@ -34,9 +34,9 @@ std::size_t pairs_along_one_axis(const std::vector<Moving<Sphere>>& spheres) {
   std::size_t pairs = 0;
   for (const double end : ends)
     pairs += static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), end) - begins.begin());
+  // Counted are all that begin before this one ends; taken off again those that begin before it, and itself.
   const std::size_t n = spheres.size();
-  return pairs - n * (n + 1) /
-                     2;  // all that began before this one's end, less those that began before it, and itself
+  return pairs - n * (n + 1) / 2;
 }
 //! [one_axis]
 

@@ -1,4 +1,7 @@
 // Chapter 6: two moving spheres meet, and part again (paper, 2.3).
+#include <cmath>
+#include <limits>
+
 #include "far_away.hpp"
 #include "figures.hpp"
 #include "first_contact/program/program.hpp"
@@ -117,6 +120,44 @@ Json results(const Meeting& meeting) {
   return json;
 }
 
+//! [notes]
+// Numbers that the notes speak of: those of the quadratic equation, and what is lost far away.
+void note_roots(Program& program, const Moving<Sphere>& p, const Moving<Sphere>& q) {
+  const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
+  const double d = p.shape.radius + q.shape.radius;
+  program.value("w2", w.squaredNorm());
+  program.value("u2", u.squaredNorm());
+  program.value("wu", w.dot(u));
+  program.value("d", d);
+  program.value("d2", d * d);
+  program.value("discriminant", discriminant(u, accurate_cross(w, u), d));
+  program.value("distance_begin", w.norm());
+  program.value("distance_end", (w + u).norm());
+  if (u.squaredNorm() > 0) {
+    program.value("closest_time", -w.dot(u) / u.squaredNorm());
+    program.value("closest_distance", accurate_cross(w, u).norm() / u.norm());
+  }
+  if (const auto times = contact_interval(p, q)) {
+    program.value("t1", times->begin);
+    program.value("t2", times->end);
+  }
+}
+
+template <class Scalar>
+void note_far_away(Program& program, const std::string& precision) {
+  const auto printed = measure<Scalar>(Formula::textbook),
+             stable = measure<Scalar>(Formula::closest_approach);
+  for (std::size_t decade = 1; 2 * decade < printed.size(); ++decade) {
+    const std::string name = precision + "_1e" + std::to_string(decade) + "_";
+    program.value(name + "printed", printed[2 * decade].error);
+    program.value(name + "stable", stable[2 * decade].error);
+    program.value(name + "printed_lost", printed[2 * decade].lost);
+    program.value(name + "stable_lost", stable[2 * decade].lost);
+  }
+  program.value(precision + "_limit", 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()));
+}
+//! [notes]
+
 }  // namespace
 
 //! [main]
@@ -142,6 +183,9 @@ int main(int argc, char** argv) {
     tell_errors(program.report());
     tell_crowd(program);
     program.json() = results(meeting);
+    note_roots(program, p, q);
+    note_far_away<float>(program, "single");
+    note_far_away<double>(program, "double");
     if (program.draws()) draw_moving_spheres_figures(program, p, q);
   });
 }

@@ -23,6 +23,14 @@ Table path_of(const Flight& flight, double until) {
   return rows;
 }
 
+// Every sample of a flight.
+Table samples_of(const Flight& flight, double until) {
+  Table rows;
+  for (std::size_t i = 0; i < flight.t.size() && flight.t[i] <= until; ++i)
+    rows.push_back({flight.t[i], flight.y[i]});
+  return rows;
+}
+
 // Axes with their names: time below, and what is measured above on the left.
 void write_axes(std::ostream& out, const Program& program, const program::Text& above,
                 const program::Text& below) {
@@ -56,6 +64,36 @@ void draw_printed_and_physical(const Program& program, const Flight& printed, co
         << "\" at graph 0.998, 0.67 right tc rgb INK\n";
   out << "plot $physical using 1:2 with lines lc rgb GREEN lw 2.2, $printed using 1:2 with lines lc rgb PINK "
          "lw 2.2\n";
+  figure.draw();
+}
+
+// The printed fall in larger and smaller steps: each finds the floor late in its own way, and rebounds to
+// another height.
+void draw_steps(const Program& program) {
+  Figure figure(program.studio(), "steps", {720, 440});
+  std::ostream& out = figure.script();
+  write_axes(out, program, {"height", "高度"}, {"time", "時間"});
+  out << "set xrange [0:5]\nset yrange [0:27]\nset ytics 5\n";
+  const struct {
+    const char* name;
+    double dt;
+    const char* pen;
+  } runs[]{{"coarse", 0.2, "BLUE"}, {"middle", 0.05, "PINK"}, {"fine", 0.001, "INK"}};
+  std::string plot = "plot ";
+  double label_height = 24.5;
+  for (const auto& [name, dt, pen] : runs) {
+    PrintedBounce bounce;
+    bounce.dt = dt;
+    bounce.samples = static_cast<std::size_t>(std::lround(5 / dt)) + 1;
+    const Flight flight = printed_flight(run(bounce));
+    figure.data(name, dt > 0.01 ? samples_of(flight, 5) : path_of(flight, 5), 6);
+    out << "set label \"Δ{/:Italic t} = " << program::readable(dt) << "\" at 4.9, " << label_height
+        << " right tc rgb " << pen << "\n";
+    label_height -= 2.2;
+    plot += std::string(plot.size() > 5 ? ", " : "") + "$" + name + " with " +
+            (dt > 0.01 ? "linespoints pt 7 ps 0.55" : "lines") + " lc rgb " + pen + " lw 2";
+  }
+  out << plot << "\n";
   figure.draw();
 }
 
@@ -97,6 +135,7 @@ void draw_energy(const Program& program) {
 
 void draw_bounces(const Program& program, const Flight& printed, const Flight& physical) {
   draw_printed_and_physical(program, printed, physical);
+  draw_steps(program);
   draw_energy(program);
 }
 

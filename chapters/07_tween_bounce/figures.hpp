@@ -2,8 +2,8 @@
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
 
-/// Figures 13 to 15 of the paper for a flight, each also as an animation, and those of the chapter: printed against
-/// physical, easings, curves, spacing, energy.
+/// Figures 13 to 15 of the paper for a flight, each also as an animation, and those of the chapter: printed
+/// against physical, easings, curves, spacing, energy.
 void draw_tween_bounce_figures(const first_contact::program::Program& program,
                                const tween_bounce::Flight& flight, const tween_bounce::Flight& printed,
                                const tween_bounce::Flight& physical);

@@ -26,8 +26,8 @@ Flight physical_flight(const first_contact::Bounce& bounce, double dt, std::size
 /// The height at any time, straight between two samples.
 double height_at(const Flight& flight, double time);
 
-/// Program 1's plan as a tween in the plane of t and y: a straight line down to the first hit, a curve to the second,
-/// a straight line along the floor. Nothing if the flight has no fall, rebound and floor.
+/// Program 1's plan as a tween in the plane of t and y: a straight line down to the first hit, a curve to the
+/// second, a straight line along the floor. Nothing if the flight has no fall, rebound and floor.
 std::optional<first_contact::Tween> plan(const Flight& flight);
 
 /// Program 2's test: how far the ball is off the planned path, at the worst sample of each of its legs.

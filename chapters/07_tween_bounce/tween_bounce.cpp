@@ -6,6 +6,7 @@
 
 #include "figures.hpp"
 #include "first_contact/motion/stepped_bounce.hpp"
+#include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
 
@@ -143,22 +144,52 @@ void tell_corrected(Report& report, const Scene& scene, const Bounce& bounce) {
     report.row("rest", std::string("never"), {"it never comes to rest on the floor", "永不靜止於地面"});
 }
 
+// How high a ball dropped from 1 with e = 1 bounces in the last three seconds of a minute.
+double stepped_peak(Stepper stepper) {
+  const auto states = stepped_bounce(stepper, 1, 9.81, 1, 1.0 / 60, 3600);
+  const auto lower = [](const Stepped& a, const Stepped& b) { return a.height < b.height; };
+  return std::max_element(states.end() - 180, states.end(), lower)->height;
+}
+
+// The same, solved.
+double solved_peak() { return Bounce(1, 0, 9.81, 1).apex(66)->height; }
+
 // Energy after a minute, restitution 1: time steps against impacts that are solved for.
 void tell_energy(Report& report) {
   report.say(
       {"A ball dropped from 1 with e = 1, 60 pictures a second: how high does it bounce after a minute?",
        "自高度 1 落下、e = 1、每秒 60 格：一分鐘後彈多高？"});
   const auto peak = [&](Stepper stepper, const std::string& name, const Text& meaning) {
-    const auto states = stepped_bounce(stepper, 1, 9.81, 1, 1.0 / 60, 3600);
-    const auto lower = [](const Stepped& a, const Stepped& b) { return a.height < b.height; };
-    report.row(name, std::max_element(states.end() - 180, states.end(), lower)->height, meaning);
+    report.row(name, stepped_peak(stepper), meaning);
   };
   peak(Stepper::explicit_euler, "explicit Euler",
        {"y += v dt, then v -= g dt", "先 y += v dt，再 v -= g dt"});
   peak(Stepper::parabola, "exact parabolas", {"but each impact up to a step late", "但每次碰撞最多遲一格"});
   peak(Stepper::semi_implicit_euler, "semi-implicit Euler",
        {"v -= g dt, then y += v dt", "先 v -= g dt，再 y += v dt"});
-  report.row("solved at impacts", Bounce(1, 0, 9.81, 1).apex(66)->height, {"nothing drifts", "沒有漂移"});
+  report.row("solved at impacts", solved_peak(), {"nothing drifts", "沒有漂移"});
+}
+
+// The fastest speed along a curve by the slowest, if one goes by its parameter.
+double unevenness(const Curve& curve) {
+  double slowest = 1e300, fastest = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double speed = at(derivative(curve), i / 1000.0).norm();
+    slowest = std::min(slowest, speed);
+    fastest = std::max(fastest, speed);
+  }
+  return fastest / slowest;
+}
+
+// What is left of a way after a second, by a lerp of a tenth in each frame, and by damping.
+double left_by_lerp(int frames) {
+  double x = 1;
+  for (int i = 0; i < frames; ++i) x = std::lerp(x, 0.0, 0.1);
+  return x;
+}
+double left_by_damp() {
+  const double rate = -30 * std::log(0.9);
+  return damp(1.0, 0.0, rate, 1.0);
 }
 
 // Two mistakes of tweens.
@@ -166,27 +197,57 @@ void tell_tweens(Report& report) {
   report.say({"Tweens that go wrong: speed by a curve's parameter, and a lerp by 0.1 a frame",
               "補間的常見錯誤：以曲線參數當距離；每格 lerp 0.1"});
   const ArcLength arch(tween_bounce::arch());
-  double slowest = 1e300, fastest = 0;
-  for (int i = 0; i <= 1000; ++i) {
-    const double speed = at(derivative(arch.curve()), i / 1000.0).norm();
-    slowest = std::min(slowest, speed);
-    fastest = std::max(fastest, speed);
-  }
-  report.row("fastest/slowest", fastest / slowest,
+  report.row("fastest/slowest", unevenness(arch.curve()),
              {"along a Bezier arch by its parameter; 1 by its length, " + readable(arch.total()),
               "沿 Bezier 拱的參數；依弧長 " + readable(arch.total()) + " 則為 1"});
-  const auto left = [](int frames) {
-    double x = 1;
-    for (int i = 0; i < frames; ++i) x = std::lerp(x, 0.0, 0.1);
-    return with_digits(100 * x, 2) + " %";
-  };
+  const auto left = [](int frames) { return with_digits(100 * left_by_lerp(frames), 2) + " %"; };
   report.row("left after 1 s, lerp", left(30) + ", " + left(60),
              {"at 30 and at 60 frames a second", "每秒 30 與 60 格"});
-  const double rate = -30 * std::log(0.9);
-  report.row("left after 1 s, damp", with_digits(100 * damp(1.0, 0.0, rate, 1.0), 2) + " %",
+  report.row("left after 1 s, damp", with_digits(100 * left_by_damp(), 2) + " %",
              {"e^(-rate t), at any frame rate", "e^(-rate t)，與格速無關"});
 }
 //! [report]
+
+//! [notes]
+// Numbers that the notes speak of: of the tweens, the printed fall, the solved one, and the stepped ones.
+void note(Program& program, const Scene& scene, const PrintedMotion& motion, const Bounce& bounce) {
+  const Flight printed = tween_bounce::printed_flight(motion);
+  program.value("v0", scene.v0);
+  program.value("y0", scene.y0);
+  program.value("dt", scene.dt);
+  program.value("samples", static_cast<double>(motion.y.size()));
+  program.value("hits", static_cast<double>(motion.hits.size()));
+  program.value("second_height", motion.y.size() > 1 ? motion.y[1] : motion.y[0]);
+  const PrintedMotion released = run_printed(scene, 0);
+  program.value("released", released.y[std::min(released.y.size() - 1, std::size_t{100})]);
+  program.value("rebound_gravity", 6.0 / 5 * scene.g);
+  program.value("rebound_speed", scene.restitution * scene.v0);
+  program.value("apex_by_formula", scene.restitution * scene.v0 / (6.0 / 5 * scene.g));
+  if (const auto tween = tween_bounce::plan(printed)) {
+    const auto off = tween_bounce::off_plan(printed, *tween);
+    program.value("off_line", off[0]);
+    program.value("off_curve", off[1]);
+    program.value("chords", static_cast<double>(chords(tween->curve(1), 1e-6).size() - 1));
+  }
+  for (std::size_t n = 1; n <= 3; ++n) {
+    const auto landing = bounce.impact(n);
+    const auto apex = bounce.apex(n);
+    if (!landing || !apex) break;
+    program.value("true_t" + std::to_string(n), landing->time);
+    program.value("true_v" + std::to_string(n), landing->speed);
+    program.value("true_h" + std::to_string(n), apex->height);
+  }
+  if (const auto rest = bounce.rest_time()) program.value("true_rest", *rest);
+  program.value("explicit_peak", stepped_peak(Stepper::explicit_euler));
+  program.value("parabola_peak", stepped_peak(Stepper::parabola));
+  program.value("semi_peak", stepped_peak(Stepper::semi_implicit_euler));
+  program.value("unevenness", unevenness(tween_bounce::arch()));
+  program.value("arch_length", ArcLength(tween_bounce::arch()).total());
+  program.value("left_30", left_by_lerp(30));
+  program.value("left_60", left_by_lerp(60));
+  program.value("left_damp", left_by_damp());
+}
+//! [notes]
 
 Json results(const Flight& flight) {
   Json json;
@@ -248,6 +309,7 @@ int main(int argc, char** argv) {
     tell_energy(report);
     tell_tweens(report);
     program.json() = results(flight);
+    note(program, scene, motion, bounce);
     if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);
   });
 }

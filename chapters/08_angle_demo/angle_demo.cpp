@@ -113,18 +113,19 @@ void tell_meeting(Report& report, const Encounter& encounter, const Outcome& out
                 "兩圓不相碰：最接近時 t = " + when + "，球心距離 " + nearest});
 }
 
+double energy(const Encounter& encounter, const std::array<Vector2d, 2>& v) {
+  return (encounter.mass[0] * v[0].squaredNorm() + encounter.mass[1] * v[1].squaredNorm()) / 2;
+}
+
 void tell_outcome(Report& report, const Encounter& encounter, const Outcome& outcome) {
   report.row("collides", std::string(outcome.collides ? "true" : "false"), {"in this model", "依此模型"});
   report.row("v1", pair_of(outcome.velocity[0]), {"velocity of body 1 afterwards", "物件1碰撞後的速度"});
   report.row("v2", pair_of(outcome.velocity[1]), {"velocity of body 2 afterwards", "物件2碰撞後的速度"});
   report.row("theta1", degrees(outcome.angle[0]), {"its direction in degrees", "行進角度"});
   report.row("theta2", degrees(outcome.angle[1]), {"its direction in degrees", "行進角度"});
-  const auto energy = [&](const Vector2d& v1, const Vector2d& v2) {
-    return (encounter.mass[0] * v1.squaredNorm() + encounter.mass[1] * v2.squaredNorm()) / 2;
-  };
-  report.row("energy before", energy(encounter.v1, encounter.v2), {"1/2 (m1 v1^2 + m2 v2^2)", "動能"});
-  report.row("energy after", energy(outcome.velocity[0], outcome.velocity[1]),
-             {"the same, afterwards", "碰撞後的動能"});
+  report.row("energy before", energy(encounter, {encounter.v1, encounter.v2}),
+             {"1/2 (m1 v1^2 + m2 v2^2)", "動能"});
+  report.row("energy after", energy(encounter, outcome.velocity), {"the same, afterwards", "碰撞後的動能"});
 }
 
 // One of the paper's cases: what it prints, our run of it as printed, and the corrected one.
@@ -181,6 +182,28 @@ Json results(const Outcome& outcome) {
   return json;
 }
 
+//! [notes]
+// Numbers that the notes speak of: of two discs, by both models.
+void note(Program& program, const std::string& name, const Encounter& encounter) {
+  const Outcome printed = as_printed(encounter), corrected = at_contact(encounter);
+  const Closest closest = closest_approach(encounter);
+  program.value(name + "_closest_time", closest.time);
+  program.value(name + "_closest_distance", closest.distance);
+  program.value(name + "_start_distance", (encounter.p2 - encounter.p1).norm());
+  program.value(name + "_energy_before", energy(encounter, {encounter.v1, encounter.v2}));
+  program.value(name + "_printed_energy", energy(encounter, printed.velocity));
+  program.value(name + "_energy", energy(encounter, corrected.velocity));
+  if (corrected.time) program.value(name + "_time", *corrected.time);
+  for (const std::size_t i : {0U, 1U}) {
+    const std::string number = std::to_string(i + 1);
+    program.value(name + "_printed_angle" + number, printed.angle[i]);
+    program.value(name + "_angle" + number, corrected.angle[i]);
+    program.value(name + "_printed_v" + number + "y", printed.velocity[i].y());
+    program.value(name + "_v" + number + "y", corrected.velocity[i].y());
+  }
+}
+//! [notes]
+
 void show_paper_cases(Program& program) {
   const auto cases = paper_cases();
   const auto paper = paper_output();
@@ -191,6 +214,9 @@ void show_paper_cases(Program& program) {
         {{"printed", results(as_printed(cases[i]))}, {"contact", results(at_contact(cases[i]))}});
   }
   tell_faults(program.report());
+  for (std::size_t i = 0; i < cases.size(); ++i) note(program, "case" + std::to_string(i + 1), cases[i]);
+  note(program, "aimed", aimed_beside());
+  note(program, "soft", soft_and_aslant());
   if (program.draws()) draw_paper_cases(program);
 }
 
@@ -203,6 +229,7 @@ void show_one(Program& program, const Encounter& encounter, bool printed) {
   program.report().say({"The discs of this scene", "此場景的兩圓"});
   tell_meeting(program.report(), encounter, at_contact(encounter));
   program.json() = results(outcome);
+  note(program, "this", encounter);
   if (program.draws()) draw_encounter(program, "encounter", encounter, printed, !printed);
 }
 

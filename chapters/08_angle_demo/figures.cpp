@@ -138,6 +138,44 @@ Encounter aimed_beside() {
   return aimed;
 }
 
+Encounter soft_and_aslant() {
+  Encounter soft;
+  soft.mass = {1, 1};
+  soft.p1 = {-1, 0};
+  soft.p2 = {1, 0};
+  soft.v2 = {-1, -1};
+  soft.restitution = 0.5;
+  return soft;
+}
+
+// Restitution 1/2: as printed, the velocities across the line of centres shrink as well.
+static void draw_drag(const program::Program& program) {
+  const Encounter soft = soft_and_aslant();
+  const Outcome wrong = as_printed(soft), truth = at_contact(soft);
+  const auto at = centres(soft, 0);
+  const std::array<Vector2d, 2> before{soft.v1, soft.v2};
+  const double scale = 1.7;
+  figure::Scene scene(above, 0.03);
+  scene.line({{-4, 0, 0}, {4, 0, 0}}, {colour::grey, 1.2, true}, -1);
+  scene.line({{0, -1.6, 0}, {0, 1.6, 0}}, {colour::grey, 1.2, true}, -1);
+  for (const std::size_t i : {0U, 1U}) {
+    add_disc(scene, at[i], 1, body[i], 0.55);
+    scene.arrow(flat(at[i]), flat(at[i] + scale * before[i]), {colour::red, 2.4}, 3);
+    scene.arrow(flat(at[i]), flat(at[i] + scale * wrong.velocity[i]), {colour::pink, 2.4}, 3);
+    scene.arrow(flat(at[i]), flat(at[i] + scale * truth.velocity[i]), {colour::green, 2.4}, 3);
+    scene.dot(flat(at[i]));
+  }
+  scene.label(program.say({"before", "碰撞前"}), flat(at[0] + scale * before[0]), 0.6, 0.3, colour::red,
+              Align::left);
+  scene.label(program.say({"as printed", "論文所印"}), flat(at[0] + scale * wrong.velocity[0]), -0.6, 0,
+              colour::pink, Align::right);
+  scene.label(program.say({"corrected", "修正"}), flat(at[0] + scale * truth.velocity[0]), -0.6, 0.3,
+              colour::green, Align::right);
+  Figure figure(program.studio(), "drag", scene.size());
+  scene.draw(figure);
+  figure.draw();
+}
+
 void draw_encounter(const program::Program& program, const std::string& name, const Encounter& encounter,
                     bool printed, bool corrected) {
   const Outcome wrong = as_printed(encounter), truth = at_contact(encounter);
@@ -176,4 +214,5 @@ void draw_paper_cases(const program::Program& program) {
   draw_cases(program);
   draw_encounter(program, "case-4", paper_cases()[3], true, true);
   draw_encounter(program, "normal-at-contact", aimed_beside(), true, true);
+  draw_drag(program);
 }

@@ -7,7 +7,7 @@ import {build, chapters, complain, fromRoot, read} from '../tools/book.mjs';
 const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises', 'Further reading'];
 
 const parts = [
-  ['a figure', /^!\[/m], ['a numbered equation', /\\tag\{/], ['code', /^\\snippet /m], ['its output', /^\\output /m],
+  ['a figure', /^!\[/m], ['a displayed formula', /^\$\$/m], ['code', /^\\snippet /m], ['its output', /^\\output /m],
   ['a looked-up number', /\{\{\w+[.@]/], ['a reference', /\[@/],
 ];
 

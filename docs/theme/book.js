@@ -1,4 +1,5 @@
-// Light or dark, the contents on a phone, and a copy button at each listing. The pages read well without it.
+// Light or dark, the contents on a phone, a copy button at each listing, and one that stops what moves. The pages read
+// well without it.
 (() => {
   const page = document.documentElement, wish = 'first-contact-theme';
   const stored = () => { try { return localStorage.getItem(wish); } catch { return null; } };
@@ -28,6 +29,19 @@
     frame.append(listing, button);
   };
 
+  const pauseButton = (picture) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'pause';
+    button.textContent = 'Pause';
+    button.addEventListener('click', () => {
+      const resume = picture.animationsPaused();
+      resume ? picture.unpauseAnimations() : picture.pauseAnimations();
+      button.textContent = resume ? 'Pause' : 'Play';
+    });
+    picture.before(button);
+  };
+
   addEventListener('DOMContentLoaded', () => {
     show();
     document.getElementById('theme').addEventListener('click', () => {
@@ -42,5 +56,6 @@
     open.addEventListener('click', () => toggle());
     addEventListener('keydown', (event) => { if (event.key === 'Escape') toggle(false); });
     document.querySelectorAll('div.fragment, pre.output, pre.shell').forEach(copyButton);
+    document.querySelectorAll('svg.moves').forEach(pauseButton);
   });
 })();

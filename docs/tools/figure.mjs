@@ -16,7 +16,7 @@ function withoutUnused(svg) {
   const used = (id) => svg.includes(`#${id}'`) || svg.includes(`#${id}"`) || svg.includes(`#${id})`);
   for (let before = ''; before !== svg;) {
     before = svg;
-    svg = svg.replace(/[ \t]*<(path|circle|rect|use|filter)\b[^>]*\bid=['"]([^'"]+)['"][^>]*(?:\/>|>[\s\S]*?<\/\1>)\s*/g,
+    svg = svg.replace(/[ \t]*<(path|circle|rect|use|filter)\b[^>]*\bid=['"]([^'"]+)['"][^>]*?(?:\/>|>[\s\S]*?<\/\1>)\s*/g,
                       (whole, tag, id) => used(id) ? whole : '');
   }
   return svg;
@@ -40,6 +40,7 @@ export function inlineFigure(path, prefix, alternative) {
       .replace(/<style>[\s\S]*?<\/style>\s*/, '')
       .replace(/<title>[\s\S]*?<\/title>\s*/g, '').replace(/<desc>[\s\S]*?<\/desc>\s*/g, '')
       .replace(/<rect x="0" y="0" width="[\d.]+" height="[\d.]+" fill="#ffffff"\/>\s*/i, '')  // the paper is the page
+      .replace(/ id="gnuplot_[^"]*"/g, '')  // nothing refers to them, and gnuplot gives some twice
       .replace(/<g [^>]*>\s*<\/g>\s*/g, '')
       .replace(/\n\s*/g, '\n');
   svg = withOwnNames(withoutUnused(svg), prefix);

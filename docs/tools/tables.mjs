@@ -4,9 +4,11 @@ import {formula} from './formula.mjs';
 import {formatted, valueOf} from './values.mjs';
 import {prose} from './weave.mjs';
 
+const byLabel = (a, b) => a.label.localeCompare(b.label, 'en', {numeric: true});
+
 export function bibliography() {
   return data('references.json').map(({group, entries}) =>
-    `<h2>${escape(group)}</h2><dl class="references">` + entries.map(({key, label, text}) =>
+    `<h2>${escape(group)}</h2><dl class="references">` + [...entries].sort(byLabel).map(({key, label, text}) =>
       `<div id="${key}"><dt>${escape(label)}</dt><dd>${prose(text, 'references.json')}</dd></div>`).join('') + '</dl>').join('');
 }
 

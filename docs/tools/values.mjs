@@ -40,7 +40,8 @@ function inside(value, path) {
 
 function namesOf(value, prefix) {
   if (value === null || typeof value !== 'object') return [prefix];
-  return Object.entries(value).flatMap(([key, part]) => namesOf(part, `${prefix}.${key}`));
+  const parts = Array.isArray(value) ? [['0', value[0] ?? null]] : Object.entries(value);  // of a list the first stands for all
+  return parts.flatMap(([key, part]) => namesOf(part, `${prefix}.${key}`));
 }
 
 /// Every name that can be looked up.
@@ -75,6 +76,6 @@ export function formatted(value, form = '', inFormula = false) {
   const text = plain(value === 0 ? 0 : value, form);
   const [mantissa, exponent] = text.split('e');
   if (inFormula) return mantissa.replaceAll(',', '{,}') + (exponent ? `\\times 10^{${+exponent}}` : '');
-  const power = exponent ? ` × 10<sup>${String(+exponent).replace('-', '−')}</sup>` : '';
+  const power = exponent ? `\u00a0×\u00a010<sup>${String(+exponent).replace('-', '−')}</sup>` : '';
   return mantissa.replace('-', '−') + power;
 }

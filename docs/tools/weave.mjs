@@ -18,6 +18,9 @@ export const shown = {snippets: [], figures: [], equations: new Map(), outputs: 
 
 const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
 
+// A long path may break after a slash.
+const shownPath = (path) => escape(path).replaceAll('/', '/<wbr>');
+
 export const references = data('references.json').flatMap((group) => group.entries);
 
 // Cuts a text at whatever a rule matches first, [regular expression, (index, ...groups) => result], and gives the
@@ -135,9 +138,18 @@ class Page {
     const path = fromRoot(resolve(dirname(this.source), target));
     shown.figures.push({path, page: this.id});
     if (alternative.length < 20) complain(this.where(index), `the figure ${name} needs an alternative text that tells what is seen`);
-    const svg = this.attempt(index, () => inlineFigure(path, `${this.id}-${name}`.replaceAll('_', '-'), alternative));
+    const svg = this.attempt(index, () => this.pictures(path, `${this.id}-${name}`.replaceAll('_', '-'), alternative));
     const words = this.asHtml(caption.replace(/^\{#[\w-]+\}\s*/, '').replace(/\s*\n\s*/g, ' '), index);
     return blockToken(`<figure id="figure-${name}">${svg}<figcaption><b>Figure&nbsp;${this.figureNumber(name, index)}.</b> ${words}</figcaption></figure>`);
+  }
+
+  // The picture, and, where the chapter draws it moving as well, that one: the style sheet shows one of the two.
+  pictures(path, prefix, alternative) {
+    const moving = path.replace(/\.svg$/, '-animated.svg'), still = inlineFigure(path, prefix, alternative);
+    if (!existsSync(join(root, moving))) return still;
+    shown.figures.push({path: moving, page: this.id});
+    return still.replace('<svg', '<svg class="rests"') +
+           inlineFigure(moving, prefix + '-moves', alternative).replace('<svg', '<svg class="moves"');
   }
 
   equation(tex, index) {
@@ -158,8 +170,8 @@ class Page {
     shown.snippets.push({file: fromRoot(place), tag, page: this.id});
     const command = tag ? `\\snippet ${file} ${tag}` : `\\include ${file}`;
     if (!folded)
-      return blockToken(`<div class="where">${escape(fromRoot(place))}</div>`) + command + '\n\n';
-    return blockToken(`<details class="listing"><summary>${this.asHtml(folded, index)} <span class="where">${escape(fromRoot(place))}</span></summary>`) +
+      return blockToken(`<div class="where">${shownPath(fromRoot(place))}</div>`) + command + '\n\n';
+    return blockToken(`<details class="listing"><summary>${this.asHtml(folded, index)} <span class="where">${shownPath(fromRoot(place))}</span></summary>`) +
            command + '\n' + blockToken('</details>');
   }
 
@@ -168,7 +180,7 @@ class Page {
     const path = join(root, 'chapters', file);
     const text = this.attempt(index, () => read(path).trimEnd());
     const lines = text.split('\n').map((line) => `<span class="line">${escape(line) || ' '}</span>`).join('\n');
-    return blockToken(`<div class="where">chapters/${escape(file)}</div><pre class="output">${lines}</pre>`);
+    return blockToken(`<div class="where">${shownPath('chapters/' + file)}</div><pre class="output">${lines}</pre>`);
   }
 
   fence(language, body, index) {

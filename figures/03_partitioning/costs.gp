@@ -43,15 +43,15 @@ if (theme eq "grey") {
   PAPER = 0xFFFFFF; INK = 0x222222
   array hues[13] = [GREY, PALE, BLUE, SKY, GREEN, RED, ORANGE, AMBER, PINK, YELLOW, FLOOR, SHADOW, MIST]
   do for [i = 1:13] { hues[i] = tone(hues[i]) }
-  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]; ORANGE = hues[7]
-  AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
+  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]
+  ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 760,760 font "DejaVu Serif,17" rounded background rgb "#ffffff"
+  set terminal svg enhanced size 760,900 font "DejaVu Serif,17" rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size 1520,1520 font "DejaVu Serif,17" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER
+  set terminal pngcairo enhanced size 1520,1800 font "DejaVu Serif,17" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size 7.916667,7.916667 font "DejaVu Serif,13" rounded background rgb PAPER
+  set terminal pdfcairo enhanced size 7.916667,9.375000 font "DejaVu Serif,13" rounded background rgb PAPER
 } }
 set output "costs." . format
 
@@ -75,78 +75,97 @@ set style arrow 1 head filled size screen 0.022,18,60 front lt 1 lc rgb RED  lw 
 set style arrow 2 head filled size screen 0.022,18,60 front lt 1 lc rgb INK  lw 2.0
 set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
 set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
-$even << EOD
-3 1.875 2 8 5.675
-4 2.0625 3 4.2 7.06
-5 2.3438 3 8.72 9.045
-6 2.7031 4 12.995 13.27
-7 3.1094 5 8.4 16.43
-8 3.4453 5 16.44 20.41
-9 3.7285 6 16.405 22.045
-10 4.0947 7 10.45 23.305
-11 4.4385 7 17.41 26.285
-12 4.7737 8 16.58 27.585
-13 5.1329 9 9.21 24.38
-14 5.4474 9 15.69 29.01
+$both << EOD
+3 1.5 2.2222 3.125 0 14.25 6.5 8 5.675 3.77
+4 1.9375 3.9474 4.375 1 39 10.25 4.2 7.06 5.505
+5 2.2812 5.7556 5.125 1 64.188 13.5 8.72 9.045 6.095
+6 2.7344 5.6602 6.1719 1.4844 71.734 18.125 12.995 13.27 7.245
+7 3.1172 6.4488 7.2109 2 88.031 22.062 8.4 16.43 8.55
+8 3.4609 7.8495 8.207 2.0742 122.95 26.125 16.44 20.41 10.08
+9 3.7285 8.4682 9.2148 2.5586 140.9 30.172 16.405 22.045 11.2
+10 4.1064 9.4708 10.179 2.9844 161.1 34.004 10.45 23.305 11
+11 4.4849 10.612 11.198 3.0757 187.44 38.01 17.41 26.285 11.33
+12 4.7808 11.564 12.206 3.5422 212.13 42.129 16.58 27.585 11.73
+13 5.139 12.616 13.197 3.9915 232.39 45.974 9.21 24.38 10.36
+14 5.4648 13.547 14.197 4.068 252.94 50.002 15.69 29.01 10.415
+
+
+3 3 2.1 3.75 0 9 9.5 8 6.68 3.165
+4 5.8125 4.2174 4.8125 4.0625 33.75 12.75 3.77 8.45 6.17
+5 5.9688 4.4091 6.3125 4 51.125 17.875 5.83 11.42 8.335
+6 6.4688 4.9583 8.1719 5.2031 68.141 26.25 7.725 17.71 9.795
+7 7.4766 6.4439 9.4531 6.0469 94.797 31.062 12.025 21.79 13.785
+8 7.6875 7.2349 11.07 6.25 115.59 37.797 12.47 18.71 10.785
+9 8.0957 8.4501 12.863 6.9277 143.23 44.594 9.725 24.235 11.19
+10 8.5283 9.5048 13.327 7.2998 169.9 46.492 10.415 26.38 13.855
+11 8.998 10.42 14.727 7.668 191.6 52.152 18.19 32.64 17.26
+12 9.3279 11.482 16.761 7.9832 213.44 60.288 31.795 41.615 24.07
+13 9.6182 12.43 18.132 8.4028 233.29 65.782 34.6 56.125 34.315
+14 9.9694 13.424 18.629 8.6664 251.98 67.77 59.14 93.11 55.865
 EOD
-$clustered << EOD
-3 4.375 7 8 6.68
-4 5.3125 9 3.77 8.45
-5 6.6562 11 5.83 11.42
-6 7.1406 12 7.725 17.71
-7 7.6172 16 12.025 21.79
-8 7.8242 14 12.47 18.71
-9 8.1777 15 9.725 24.235
-10 8.75 16 10.415 26.38
-11 8.9189 16 18.19 32.64
-12 9.2502 18 31.795 41.615
-13 9.5908 18 34.6 56.125
-14 9.9709 18 59.14 93.11
-EOD
-steps = "depth of an object, octree"
+steps = "depth of an object"
+building = "building: looks at an object"
 tests = "tests on a flight"
 objects = "objects {/:Italic k}"
 evenly = "evenly spread"
 crowded = "clustered"
-none = "no structure: {/:Italic k}"
-in_bsp = "BSP tree"
+none = "no structure"
 in_octree = "octree"
 unset key
 set grid
 set xrange [3:14]
-set xtics ("8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
-set lmargin at screen 0.115
-set rmargin at screen 0.775
-set multiplot
-set tmargin at screen 0.935
-set bmargin at screen 0.56
-set yrange [0:12]
-set ytics 0, 2 font ",14"
-set xtics ("" 3, "" 6, "" 9, "" 12)
-set label 1 steps at graph -0.09, 1.07 left font ",16" tc rgb INK
-set label 2 "log_8 {/:Italic k}" at 14.15, 4.67 left font ",15" tc rgb GREY
-set label 3 evenly at 14.15, 5.6 left font ",15" tc rgb BLUE
-set label 4 crowded at 14.15, 10 left font ",15" tc rgb RED
-plot [3:14] x / 3 with lines lc rgb GREY lw 1.6 dt (6,5), \
- $even using 1:2 with linespoints lc rgb BLUE lw 2.2 pt 7 ps 0.5, \
- $clustered using 1:2 with linespoints lc rgb RED lw 2.2 pt 7 ps 0.5
-unset label
-set xtics ("8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
-set tmargin at screen 0.46
-set bmargin at screen 0.13
-set yrange [0:14]
-set ytics ("1" 0, "8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
-set label 1 tests at graph -0.09, 1.07 left font ",16" tc rgb INK
-set label 2 none at 12.0, 12.6 right font ",15" tc rgb GREY
-set label 3 in_bsp at 14.15, 6.9 left font ",15" tc rgb RED
-set label 4 in_octree at 14.15, 5.9 left font ",15" tc rgb RED
-set label 5 in_bsp at 14.15, 4.85 left font ",15" tc rgb BLUE
-set label 6 in_octree at 14.15, 3.8 left font ",15" tc rgb BLUE
-set xlabel objects font ",16" offset 0, 0.3
 log2(x) = log(x) / log(2)
-plot [3:14] x with lines lc rgb GREY lw 1.6 dt (6,5), \
- $even using 1:(log2($4)) with linespoints lc rgb BLUE lw 2.2 pt 7 ps 0.5, \
- $even using 1:(log2($5)) with linespoints lc rgb BLUE lw 2.2 dt (8,4) pt 5 ps 0.5, \
- $clustered using 1:(log2($4)) with linespoints lc rgb RED lw 2.2 pt 7 ps 0.5, \
- $clustered using 1:(log2($5)) with linespoints lc rgb RED lw 2.2 dt (8,4) pt 5 ps 0.5
+left(c) = c == 0 ? 0.1 : 0.505
+right(c) = c == 0 ? 0.47 : 0.875
+shade(t) = t == 0 ? BLUE : t == 1 ? RED : GREEN
+set multiplot
+do for [c = 0:1] {
+  set lmargin at screen left(c)
+  set rmargin at screen right(c)
+  set xtics ("" 3, "" 6, "" 9, "" 12)
+  unset xlabel
+
+  set tmargin at screen 0.895
+  set bmargin at screen 0.665
+  set yrange [0:20]
+  set ytics 0, 5 font ",14"
+  if (c == 1) { set format y "" }
+  set label 1 (c == 0 ? steps : "") at graph -0.13, 1.1 left font ",16" tc rgb INK
+  set label 2 (c == 0 ? evenly : crowded) at screen 0.5 * (left(c) + right(c)), screen 0.975 center font ",17" tc rgb GREY
+  if (c == 1) {
+    set label 3 "log_2 {/:Italic k}" at 14.2, 14.2 left font ",14" tc rgb GREY
+    set label 4 "log_8 {/:Italic k}" at 14.2, 4.667 left font ",14" tc rgb GREY
+  }
+  plot [3:14] x / 3 with lines lc rgb GREY lw 1.6 dt (6,5), x with lines lc rgb GREY lw 1.2 dt (2,4), \
+   for [t = 0:2] $both index c using 1:(column(2 + t)) with linespoints lc rgb shade(t) lw 2.2 pt 7 ps 0.45
+  unset label
+
+  set tmargin at screen 0.605
+  set bmargin at screen 0.375
+  set yrange [0:9]
+  set ytics ("1" 0, "4" 2, "16" 4, "64" 6, "256" 8) font ",14"
+  if (c == 1) {
+    set ytics ("" 0, "" 2, "" 4, "" 6, "" 8)
+    set label 3 "BSP tree" at 14.2, 7.9 left font ",14" tc rgb RED
+    set label 4 "BVH" at 14.2, 6.05 left font ",14" tc rgb GREEN
+    set label 5 in_octree at 14.2, 3.1 left font ",14" tc rgb BLUE
+  }
+  set label 1 (c == 0 ? building : "") at graph -0.13, 1.1 left font ",16" tc rgb INK
+  plot for [t = 0:2] $both index c using 1:(log2(column(5 + t))) with linespoints lc rgb shade(t) lw 2.2 pt 7 ps 0.45
+  unset label
+
+  set tmargin at screen 0.315
+  set bmargin at screen 0.085
+  set xtics ("8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
+  set xlabel (c == 0 ? objects : "") font ",16" offset 0, 0.4
+  set yrange [0:14]
+  set ytics ("1" 0, "8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
+  if (c == 1) { set ytics ("" 0, "" 3, "" 6, "" 9, "" 12) }
+  set label 1 (c == 0 ? tests : "") at graph -0.13, 1.1 left font ",16" tc rgb INK
+  set label 2 (c == 0 ? none : "") at 10.6, 12.2 right font ",14" tc rgb GREY
+  plot [3:14] x with lines lc rgb GREY lw 1.6 dt (6,5), \
+   for [t = 0:2] $both index c using 1:(log2(column(8 + t))) with linespoints lc rgb shade(t) lw 2.2 pt 7 ps 0.45
+  unset label
+  set format y
+}
 unset multiplot

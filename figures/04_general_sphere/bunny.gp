@@ -43,8 +43,8 @@ if (theme eq "grey") {
   PAPER = 0xFFFFFF; INK = 0x222222
   array hues[13] = [GREY, PALE, BLUE, SKY, GREEN, RED, ORANGE, AMBER, PINK, YELLOW, FLOOR, SHADOW, MIST]
   do for [i = 1:13] { hues[i] = tone(hues[i]) }
-  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]; ORANGE = hues[7]
-  AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
+  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]
+  ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
   set terminal svg enhanced size 720,669 font "DejaVu Serif,17" rounded background rgb "#ffffff"
@@ -79,9 +79,9 @@ unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [-7.90358565:6.70693205]
 set yrange [-2.64315924:10.9467538]
-set label "face" at -5.17014991,-1.51369656 left offset character 1.6,0 front tc rgb INK
-set label "edge" at -1.40536641,-1.51369656 left offset character 1.6,0 front tc rgb INK
-set label "vertex" at 2.35941709,-1.51369656 left offset character 1.6,0 front tc rgb INK
+set label "face" at -5.17014991,-1.51369656 left offset character 2.4,0 front tc rgb INK
+set label "edge" at -1.40536641,-1.51369656 left offset character 2.4,0 front tc rgb INK
+set label "vertex" at 2.35941709,-1.51369656 left offset character 2.4,0 front tc rgb INK
 $s0 << EOD
 -1.5941 9.3485
 -1.5408 9.6073

@@ -68,12 +68,11 @@ TEST_CASE("Each chapter draws the figures that are committed: scripts by number,
 
 TEST_CASE("Every figure of the paper up to 15 is there, as a script and as a picture") {
   for (int number = 1; number <= 15; ++number) {
-    char name[16];
-    std::snprintf(name, sizeof name, "figure-%02d", number);
+    const std::string name = (number < 10 ? "figure-0" : "figure-") + std::to_string(number);
     int scripts = 0, pictures = 0;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(FIRST_CONTACT_SOURCE) / "figures")) {
-      scripts += entry.path().filename() == std::string(name) + ".gp";
-      pictures += entry.path().filename() == std::string(name) + ".svg";
+      scripts += entry.path().filename() == name + ".gp";
+      pictures += entry.path().filename() == name + ".svg";
     }
     CAPTURE(name);
     CHECK(scripts == 1);

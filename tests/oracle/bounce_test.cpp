@@ -15,7 +15,8 @@ namespace {
 using Exact = boost::multiprecision::cpp_dec_float_50;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// The bounce in 50 digits, impact after impact, by the plain formulas: no closed form, no care for cancellation.
+// The bounce in 50 digits, impact after impact, by the plain formulas: no closed form, no care for
+// cancellation.
 struct ExactBounce {
   Exact h, v, g, e;
 
@@ -114,7 +115,8 @@ TEST_CASE("The height at any time agrees with 50 digits, to within what the roun
     }
     if (next <= Exact(now)) continue;  // at rest, or too many impacts for this test
     const Exact since = Exact(now) - begin, height = start + up * since - truth.g / 2 * since * since;
-    // An error of the time is worth speed times error; the height itself is a sum of terms no larger than these.
+    // An error of the time is worth speed times error; the height itself is a sum of terms no larger than
+    // these.
     const double speed = static_cast<double>(truth.first_speed());
     const double scale = s.h + speed * now;
     CAPTURE(i, s.h, s.v, s.g, s.e, now);

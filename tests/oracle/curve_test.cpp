@@ -29,7 +29,8 @@ struct Random {
   std::mt19937_64 engine;
 };
 
-// B-splines by the definition of Cox and de Boor, as a sum of basis functions: nothing of the library's corner cutting.
+// B-splines by the definition of Cox and de Boor, as a sum of basis functions: nothing of the library's
+// corner cutting.
 Exact basis(const std::vector<double>& k, std::size_t i, std::size_t degree, const Exact& x) {
   if (degree == 0) return x >= k[i] && x < k[i + 1] ? 1 : 0;
   Exact sum = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// An oracle with 50 digits that shares no formula with the library: the distance from a triangle falls and then rises
-// along a straight path, so that its minimum and its crossings are found by bisection.
+// An oracle with 50 digits that shares no formula with the library: the distance from a triangle falls and
+// then rises along a straight path, so that its minimum and its crossings are found by bisection.
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -66,7 +66,8 @@ class Caster {
     }
   }
 
-  /// A sphere that would touch the inside, an edge or a vertex, or the seam between two of them, squarely or barely.
+  /// A sphere that would touch the inside, an edge or a vertex, or the seam between two of them, squarely or
+  /// barely.
   Cast cast(double scale, const Vector& shift) {
     const Triangle t = triangle();
     const double radius = pick(8) == 0 ? 0 : std::pow(10, uniform(-3, 1));

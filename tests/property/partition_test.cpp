@@ -6,6 +6,7 @@
 // The order matters: Catch2 before RapidCheck.
 #include "catch.hpp"
 #include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/partition/box_tree.hpp"
 #include "first_contact/partition/brute_force.hpp"
 #include "first_contact/partition/bsp_tree.hpp"
 #include "first_contact/partition/objects.hpp"
@@ -291,6 +292,53 @@ TEST_CASE("Each node of a BSP tree has two children or none, and its polygons li
     RC_ASSERT(tree.depth() <= std::min<std::size_t>(limits.depth, 64));
     RC_ASSERT(tree.order().size() <= std::max<std::size_t>(limits.growth * w.shards.size(), 1));
     RC_ASSERT(std::all_of(seen.begin(), seen.end(), [](int n) { return n >= 1; }));
+  });
+}
+
+TEST_CASE("A tree of boxes gives the first contact and the triangles of brute force, to the last bit") {
+  rc::prop("for any arrangement of triangles, at any scale", [] {
+    const World w = world();
+    const Soup<BoxTree> boxes(w.shards, BoxTreeLimits{static_cast<std::size_t>(*rc::gen::inRange(0, 9))});
+    const Soup<BruteForce> all(w.shards);
+    for (int i = 0; i < 8; ++i) {
+      const auto ball = ball_in(w);
+      RC_ASSERT(bitwise_equal(sweep(ball, boxes), first_by_loop(ball, w.shards)));
+      RC_ASSERT(near(ball, boxes) == near(ball, all));
+      const Bounds box = box_in(w);
+      RC_ASSERT(near(box, boxes) == near(box, all));
+    }
+  });
+}
+
+TEST_CASE("Every box of a tree of boxes holds its two children, and every object is in one leaf") {
+  rc::prop("for any arrangement of boxes", [] {
+    const World w = world();
+    const std::size_t capacity = static_cast<std::size_t>(*rc::gen::inRange(1, 9));
+    const BoxTree tree(std::span<const Bounds>(w.boxes), BoxTreeLimits{capacity});
+    std::vector<std::size_t> times_seen(w.boxes.size());
+    for (std::size_t i = 0; i < tree.nodes(); ++i) {
+      const BoxTree::Node& node = tree.node(i);
+      Bounds around = node.bounds;
+      for (std::uint32_t k = node.begin; k < node.end; ++k) around.include(w.boxes[tree.order()[k]]);
+      RC_ASSERT(around.low == node.bounds.low && around.high == node.bounds.high);
+      if (!node.is_leaf()) continue;
+      RC_ASSERT(node.end - node.begin <= capacity);
+      for (std::uint32_t k = node.begin; k < node.end; ++k) ++times_seen[tree.order()[k]];
+    }
+    for (const std::size_t times : times_seen) RC_ASSERT(times == 1U);
+  });
+}
+
+TEST_CASE(
+    "To build a tree no object is looked at more often than once a level for each question asked of it") {
+  rc::prop("for any arrangement of triangles", [] {
+    const World w = world();
+    const std::size_t k = w.shards.size();
+    const Octree octree(w.shards, octree_limits());
+    const BoxTree boxes(std::span<const Triangle>(w.shards));
+    RC_ASSERT(octree.work() <= k * octree.depth());    // in which eighth?
+    RC_ASSERT(boxes.work() <= 4 * k * boxes.depth());  // in which bin, along three axes; and its box
+    RC_ASSERT(BruteForce(w.shards).work() == 0U);
   });
 }
 

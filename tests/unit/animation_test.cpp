@@ -31,7 +31,8 @@ TEST_CASE("A sparse motion keeps its corners and its ends, and is off by the tol
     all.push_back({t, {t, std::abs(std::cos(7 * t))}});
   }
   const auto kept = sparse(all, 0.01);
-  // A chord of width h is off by 49 h^2 / 8 at the most: 25 of them would do, and halving needs no more than twice as many.
+  // A chord of width h is off by 49 h^2 / 8 at the most: 25 of them would do, and halving needs no more than
+  // twice as many.
   CHECK(kept.size() <= 52);
   CHECK(kept.front().time == 0);
   CHECK(kept.back().time == 1);

@@ -14,7 +14,8 @@ using namespace first_contact;
 
 namespace {
 
-// What an interpreter of MATLAB's language computed with the loop of the programs. \see tests/data
+// What an interpreter of MATLAB's language computed with the loop of the programs.
+// \see tests/data
 struct Table {
   struct Row {
     std::size_t sample;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "first_contact/partition/bvh.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
@@ -56,6 +57,7 @@ TEST_CASE("What others have missed, or seen where nothing was, is answered by th
     check_answer(contact, expected);
     if (contact) CHECK(contact->triangle == expected["triangle"].get<std::size_t>());
 
+    check_answer(sweep(Moving<Sphere>{sphere, displacement}, Bvh(mesh)), expected);
     if (mesh.size() == 1)
       check_answer(sweep(Moving<Sphere>{sphere, displacement}, mesh.triangle(0)), expected);
     if (mesh.size() == 1 && sphere.radius == 0)

@@ -78,7 +78,8 @@ TEST_CASE("A sphere over a saddle meets what lies around the buried vertex, as i
 TEST_CASE("A sphere overlapping a mesh is judged feature by feature") {
   CHECK(cast(cube, {0.3, 0.2, 1.5}, {0.3, 0.2, 1.4}, 1)->time == 0);
   CHECK_FALSE(cast(cube, {0.3, 0.2, 1.5}, {0.3, 0.2, 9}, 1));
-  // Leaving the top while it nears an edge of it: the edge is not the nearest there, so there is nothing to meet.
+  // Leaving the top while it nears an edge of it: the edge is not the nearest there, so there is nothing to
+  // meet.
   CHECK_FALSE(cast(cube, {0.9, 0.2, 1.5}, {1.9, 0.2, 1.6}, 1));
   // Outside the edge, nearing the corner line: deeper.
   CHECK(cast(cube, {1.5, 0.2, 1.5}, {1.4, 0.2, 1.4}, 1)->feature == Feature::edge);

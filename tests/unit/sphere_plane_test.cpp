@@ -34,7 +34,9 @@ TEST_CASE("A sphere touching a plane and approaching has a contact at once") { C
 TEST_CASE("A sphere touching a plane and sliding along has no contact") {
   CHECK_FALSE(sweep(Moving<Sphere>{{{0, 0, 1}, 1}, {5, 0, 0}}, floor_plane));
 }
-TEST_CASE("A sphere overlapping a plane and going deeper has a contact at once") { CHECK(drop(0.5, 0)->time == 0); }
+TEST_CASE("A sphere overlapping a plane and going deeper has a contact at once") {
+  CHECK(drop(0.5, 0)->time == 0);
+}
 TEST_CASE("A sphere overlapping a plane and leaving has no contact, so that it can get out") {
   CHECK_FALSE(drop(0.5, 2));
 }
@@ -78,16 +80,20 @@ TEST_CASE("A sphere and a plane scaled by a power of two give the bitwise scaled
   }
 }
 
-// Published mistakes of libraries, as numbers: the plane is N.Q = offset. A ray is a moving sphere of radius 0.
+// Published mistakes of libraries, as numbers: the plane is N.Q = offset. A ray is a moving sphere of radius
+// 0.
 
-TEST_CASE("A ray that meets a tilted plane does so: one library took the root of a negative number (ofxRay#18)") {
+TEST_CASE(
+    "A ray that meets a tilted plane does so: one library took the root of a negative number (ofxRay#18)") {
   const Plane tilted({0.0015, 0.5, -0.866}, 36.80498035);
   const auto contact = sweep(Moving{Sphere{{0, 0, 0}, 0}, {0, 0, 100}}, tilted);
   REQUIRE(contact);
   CHECK(contact->time == Approx(0.424999773094688237).epsilon(1e-15));
-  CHECK(contact->normal.isApprox(Vector(0.0015000313134805067, 0.5000104378268356, -0.8660180783160792), 1e-15));
+  CHECK(contact->normal.isApprox(Vector(0.0015000313134805067, 0.5000104378268356, -0.8660180783160792),
+                                 1e-15));
 }
-TEST_CASE("A ray that leaves a plane does not meet it: one library said at distance 0 (sharpdx/SharpDX#438)") {
+TEST_CASE(
+    "A ray that leaves a plane does not meet it: one library said at distance 0 (sharpdx/SharpDX#438)") {
   const Plane plane({0, 0.7071067690849304, 0.7071067690849304}, -3.535533905029297);
   const Sphere point{{6.666666507720947, 3.3333332538604736, 3.3333332538604736}, 0};
   CHECK_FALSE(sweep(Moving{point, {-0.4999999701976776, 0.4999999701976776, 0.4999999701976776}}, plane));

@@ -9,7 +9,8 @@ using namespace first_contact;
 
 namespace {
 
-// The highest point of the last two seconds of a minute at 60 pictures a second; dropped from 1, restitution 1.
+// The highest point of the last two seconds of a minute at 60 pictures a second; dropped from 1, restitution
+// 1.
 double late_peak(Stepper stepper) {
   const auto states = stepped_bounce(stepper, 1, 9.81, 1, 1.0 / 60, 3600);
   const auto higher = [](const Stepped& a, const Stepped& b) { return a.height < b.height; };

@@ -126,5 +126,6 @@ TEST_CASE("Between two poses a body stays rigid, where tweening the matrices' en
 
 TEST_CASE("A rigid tween refuses an orientation that is zero") {
   CHECK_THROWS_AS(RigidTween({{0, {0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 0)}}), std::invalid_argument);
-  CHECK_THROWS_AS(RigidTween({{0, {0, 0, 0}, Eigen::Quaterniond(not_a_number, 0, 0, 0)}}), std::invalid_argument);
+  CHECK_THROWS_AS(RigidTween({{0, {0, 0, 0}, Eigen::Quaterniond(not_a_number, 0, 0, 0)}}),
+                  std::invalid_argument);
 }

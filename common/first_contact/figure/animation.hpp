@@ -8,17 +8,21 @@
 #include "first_contact/figure/palette.hpp"
 
 /// \file
-/// Figures that move. gnuplot draws what stands still; what moves is laid over its svg as SMIL, a few kilobytes that
-/// any browser plays, sharp at every size. A gif, for where no svg will do, is drawn by gnuplot, picture by picture.
+/// Figures that move. gnuplot draws what stands still; what moves is laid over its svg as SMIL, a few
+/// kilobytes that any browser plays, sharp at every size. A gif, for where no svg will do, is drawn by
+/// gnuplot, picture by picture.
 
 namespace first_contact::figure {
 
-/// The place of a diagram in its picture, fixed so that others can draw into it: its margins as parts of the picture
-/// from the left and from below, and its ranges.
+/// The place of a diagram in its picture, fixed so that others can draw into it: its margins as parts of the
+/// picture from the left and from below, and its ranges.
 struct Diagram {
-  Size size;
+  Size size;  ///< of the whole picture
+  ///@{
+  /// Where the diagram ends, as a part of the picture.
   double left, right, bottom, top;
-  Eigen::AlignedBox2d range;
+  ///@}
+  Eigen::AlignedBox2d range;  ///< of x and y
 
   /// Where a point of the diagram is in the picture, in points from the upper left corner.
   Eigen::Vector2d pixel(const Eigen::Vector2d& p) const;
@@ -30,16 +34,16 @@ struct Diagram {
 
 /// Where something is at a time.
 struct Moment {
-  double time;
-  Eigen::Vector2d at;
+  double time;         ///< in the diagram's unit of time
+  Eigen::Vector2d at;  ///< in the diagram's units
 };
 
-/// The moments that are needed, so that what moves straight from one to the next is never more than `tolerance` from
-/// where it should be (Douglas and Peucker, at equal times). The corners of a path are kept.
+/// The moments that are needed, so that what moves straight from one to the next is never more than
+/// `tolerance` from where it should be (Douglas and Peucker, at equal times). The corners of a path are kept.
 std::vector<Moment> sparse(const std::vector<Moment>& moments, double tolerance);
 
-/// What moves over a diagram, round and round, from time 0 to `duration`. A reader who asked for less motion sees its
-/// last picture instead.
+/// What moves over a diagram, round and round, from time 0 to `duration`. A reader who asked for less motion
+/// sees its last picture instead.
 class Animation {
  public:
   /// \param seconds  that one round takes to play
@@ -68,13 +72,15 @@ class Animation {
   std::string moving_, still_;
 };
 
-/// A figure that moves: `figure`'s script draws what rests, or as gif everything. Writes the script, and, where svg is
-/// wanted, the svg with what moves in it, and the gif. The figure must have been begun with svg_only(studio).
+/// A figure that moves: `figure`'s script draws what rests, or as gif everything. Writes the script, and,
+/// where svg is wanted, the svg with what moves in it, and the gif. The figure must have been begun with
+/// svg_only(studio).
 void draw_animated(const Studio& studio, const std::string& name, Figure& figure, const Animation& animation);
 /// The same studio for pictures that are made as svg or not at all.
 Studio svg_only(Studio studio);
 
-/// gnuplot's commands that make the pictures of a gif, `delay` hundredths of a second each, if that is the format.
+/// gnuplot's commands that make the pictures of a gif, `delay` hundredths of a second each, if that is the
+/// format.
 std::string gif_terminal(const std::string& name, Size size, int delay, bool chinese);
 
 }  // namespace first_contact::figure

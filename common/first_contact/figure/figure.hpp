@@ -31,10 +31,8 @@ using Table = std::vector<std::vector<double>>;
 
 /// One figure: write its commands to `script()`, then `draw()`.
 ///
-///     Figure figure(studio, "figure-13");
-///     figure.data("path", rows);
-///     figure.script() << "plot $path with lines ls 1\n";
-///     figure.draw();
+/// Figure figure(studio, "figure-13"); figure.data("path", rows); figure.script() << "plot $path with lines
+/// ls 1\n"; figure.draw();
 class Figure {
  public:
   /// Begins the script `folder/name.gp` with the house style.
@@ -48,8 +46,8 @@ class Figure {
   /// The named data block $name, with that many significant digits a number.
   void data(std::string_view name, const Table& rows, int digits = 9);
   /// Closes the script and draws its pictures. Where gnuplot is not installed the script is all there is, and
-  /// one line on standard error says so, once. \throws std::runtime_error with gnuplot's own words if it
-  /// fails.
+  /// one line on standard error says so, once.
+  /// \throws std::runtime_error with gnuplot's own words if it fails.
   void draw();
 
  private:

@@ -76,8 +76,13 @@ Vector View::eye() const {
 Vector View::right() const { return {std::cos(turn * degree), std::sin(turn * degree), 0}; }
 Vector View::up() const { return eye().cross(right()); }
 
-Scene::Scene(View view, double margin, const Vector& light)
-    : eye_(view.eye()), right_(view.right()), up_(view.up()), light_(light.normalized()), margin_(margin) {}
+// Seen from straight above, up in the picture is y, and there the light must come from.
+Scene::Scene(View view, double margin)
+    : eye_(view.eye()),
+      right_(view.right()),
+      up_(view.up()),
+      light_((view.tilt == 0 ? Vector(-0.45, 0.75, 0.9) : Vector(-0.35, -0.75, 0.9)).normalized()),
+      margin_(margin) {}
 
 void Scene::add(const std::vector<Point>& points, std::string style, int layer, std::optional<double> depth) {
   Item item{layer, 0, std::move(style), {}};
@@ -190,8 +195,9 @@ void Scene::mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer) {
   }
 }
 
-// Of many small triangles, those in a thin slab of depth hardly ever hide each other, and a few shades do: sorted by
-// slab and shade, most neighbours are drawn alike and share a clause, so that the picture stays small.
+// Of many small triangles, those in a thin slab of depth hardly ever hide each other, and a few shades do:
+// sorted by slab and shade, most neighbours are drawn alike and share a clause, so that the picture stays
+// small.
 void Scene::fine_mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer) {
   constexpr double shades = 16, slabs = 12;
   Eigen::AlignedBox<double, 1> depths;

@@ -46,10 +46,10 @@ enum class Align { left, centre, right };
 /// Things are sorted by layer first (higher ones are painted later), then by the depth of their middle.
 class Scene {
  public:
+  /// The light falls from the upper left, on space as well as on a picture in a plane.
   /// \param view  where the eye is
   /// \param margin  around the things, as a part of their extent; it must hold the labels at the rim
-  /// \param light  from the scene to the light
-  explicit Scene(View view = {}, double margin = 0.06, const Vector& light = {-0.35, -0.75, 0.9});
+  explicit Scene(View view = {}, double margin = 0.06);
 
   /// A plane polygon, convex or not.
   void polygon(const std::vector<Point>& corners, const Fill& fill, int layer = 0);
@@ -61,8 +61,8 @@ class Scene {
   void line(const std::vector<Point>& points, const Pen& pen, int layer = 1);
   /// An arrow, its head at `to`.
   void arrow(const Point& from, const Point& to, const Pen& pen = {colour::red, 2.4}, int layer = 2);
-  /// A ball, shaded; below opacity 1 it is of glass.
-  /// A ball, opaque or of glass. \param step  degrees between two shades; small balls need no fine ones
+  /// A ball, shaded; below opacity 1 it is of glass. A ball, opaque or of glass.
+  /// \param step degrees between two shades; small balls need no fine ones
   void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0,
               double step = 2.5);
   /// The faces of a box that the eye sees, its edges, and its hidden edges dashed in grey.

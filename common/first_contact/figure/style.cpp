@@ -2,9 +2,9 @@
 
 #include <cstdio>
 #include <sstream>
-#include <string_view>
 
 #include "first_contact/figure/palette.hpp"
+#include "first_contact/figure/short_svg.hpp"
 
 namespace first_contact::figure {
 
@@ -19,48 +19,6 @@ std::string hexadecimal(std::uint32_t rgb, const char* form) {
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
-}
-
-// What stands between two marks, from `at` on, which is moved behind it; nothing if they are not there.
-std::string_view between(std::string_view text, std::string_view open, std::string_view close,
-                         std::size_t& at) {
-  const std::size_t begin = text.find(open, at);
-  const std::size_t end = begin == text.npos ? text.npos : text.find(close, begin + open.size());
-  if (end == text.npos) return {};
-  at = end + close.size();
-  return text.substr(begin + open.size(), end - begin - open.size());
-}
-
-// A path of all polygons of a plot, with one digit behind the point; nothing if they are but a few.
-std::string one_path(std::string_view polygons) {
-  std::string path;
-  std::size_t at = 0, count = 0;
-  const std::string colour(between(polygons, "fill = '", "'", at));
-  for (std::string_view points; !(points = between(polygons, "points = '", " '", at)).empty(); ++count) {
-    path += 'M';
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (i < 2 || points[i - 2] != '.') path += points[i];  // gnuplot writes two digits
-    path += 'Z';
-  }
-  return count < 4 ? "" : "<path fill='" + colour + "' stroke='" + colour + "' d='" + path + "'/>";
-}
-
-// gnuplot writes each polygon of a plot as an element of its own, and then all their outlines once more. Where there
-// are many, as for a mesh, one path says the same in a quarter of the bytes.
-std::string with_short_meshes(const std::string& svg) {
-  const std::string open = "<g stroke='none'>\n\t\t<polygon", close = "</g>\n\t<path stroke='";
-  std::string shorter;
-  std::size_t done = 0;
-  for (std::size_t begin; (begin = svg.find(open, done)) != svg.npos;) {
-    const std::size_t end = svg.find("</g>", begin);
-    const std::size_t after = svg.find("/>", end);
-    const bool outlined = end != svg.npos && svg.compare(end, close.size(), close) == 0;
-    const std::string path = outlined ? one_path(std::string_view(svg).substr(begin, end - begin)) : "";
-    const std::size_t next = path.empty() ? begin + open.size() : after + 2;
-    shorter += svg.substr(done, begin - done) + (path.empty() ? open : path);
-    done = next;
-  }
-  return shorter + svg.substr(done);
 }
 
 // gnuplot's two ways to write a colour: numbers padded to three places for lines and fills, bare ones for
@@ -88,8 +46,8 @@ if (theme eq "grey") {
   PAPER = 0xFFFFFF; INK = 0x222222
   array hues[13] = [GREY, PALE, BLUE, SKY, GREEN, RED, ORANGE, AMBER, PINK, YELLOW, FLOOR, SHADOW, MIST]
   do for [i = 1:13] { hues[i] = tone(hues[i]) }
-  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]; ORANGE = hues[7]
-  AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
+  GREY = hues[1]; PALE = hues[2]; BLUE = hues[3]; SKY = hues[4]; GREEN = hues[5]; RED = hues[6]
+  ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 )";
 
@@ -164,7 +122,7 @@ std::string themed(std::string svg) {
           .append(":" + other + "}");
   }
   replace_all(svg, " shape-rendering='crispEdges'", "");  // it would draw fills without smooth edges
-  svg = with_short_meshes(svg);
+  svg = short_svg(svg);
   replace_all(svg, "font-family=\"DejaVu Serif\"", "font-family=\"DejaVu Serif, Georgia, serif\"");
   replace_all(svg, "font-family=\"Noto Sans CJK TC\"",
               "font-family=\"Noto Sans CJK TC, PingFang TC, sans-serif\"");

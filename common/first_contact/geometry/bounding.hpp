@@ -12,12 +12,14 @@ Box bounding_box(std::span<const Point> points);
 
 /// A box around all points that is turned the way they spread: along the principal axes of their scatter.
 /// Tighter than the upright box for long, slanted shapes; not always the smallest (Ericson, Real-Time
-/// Collision Detection, 4.4.3). \throws std::invalid_argument as bounding_box.
+/// Collision Detection, 4.4.3).
+/// \throws std::invalid_argument as bounding_box.
 Box principal_box(std::span<const Point> points);
 
 /// The smallest sphere that holds all points, by Welzl's method (1991): a point outside the sphere so far is
 /// on the rim of the next one, and four points fix it. The radius is at most 1e-9 of itself too large, and no
-/// point is outside: |P - C| <= r in double precision. \throws std::invalid_argument as bounding_box.
+/// point is outside: |P - C| <= r in double precision.
+/// \throws std::invalid_argument as bounding_box.
 Sphere bounding_sphere(std::span<const Point> points);
 
 /// The volume of a box, in the cube of the caller's unit.

@@ -8,8 +8,8 @@
 
 namespace first_contact {
 
-/// The box with sides along the axes in which a thing lies: its bounding box (paper, 1.1). It contains its own
-/// boundary, may be flat, and may be empty.
+/// The box with sides along the axes in which a thing lies: its bounding box (paper, 1.1). It contains its
+/// own boundary, may be flat, and may be empty.
 struct Bounds {
   /// Of nothing: it overlaps nothing, and grows with what it is made to include.
   Bounds() = default;
@@ -51,9 +51,9 @@ Bounds bounds_of(std::span<const Bounds> all);
 
 /// Do two boxes share a point? Touching counts: a side, an edge or a corner in common is enough.
 bool overlap(const Bounds& a, const Bounds& b);
-/// Do a triangle and a box share a point? Touching counts, up to rounding. They do not if one of 13 directions
-/// parts them: the box's three, the triangle's normal, and those at right angles to an edge of each
-/// (Akenine-Moller, Fast 3D Triangle-Box Overlap Testing, 2001).
+/// Do a triangle and a box share a point? Touching counts, up to rounding. They do not if one of 13
+/// directions parts them: the box's three, the triangle's normal, and those at right angles to an edge of
+/// each (Akenine-Moller, Fast 3D Triangle-Box Overlap Testing, 2001).
 bool overlap(const Triangle& triangle, const Bounds& box);
 
 /// A part of a motion: the times from `enter` to `leave`.

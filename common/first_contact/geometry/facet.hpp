@@ -3,8 +3,8 @@
 
 namespace first_contact {
 
-/// The normal (b - a) x (c - a) of three points, computed at the corner with the largest angle, from the two shorter
-/// sides: however long and thin the triangle is, no other corner rounds less.
+/// The normal (b - a) x (c - a) of three points, computed at the corner with the largest angle, from the two
+/// shorter sides: however long and thin the triangle is, no other corner rounds less.
 struct CornerNormal {
   /// Of the points a, b, c; they may lie on one line.
   CornerNormal(const Point& a, const Point& b, const Point& c);
@@ -19,7 +19,8 @@ struct Facet : CornerNormal {
   /// Of any triangle, degenerate or not.
   explicit Facet(const Triangle& t);
 
-  /// Is the triangle too thin for its face to matter to a sphere of this radius? Then its edges answer for it.
+  /// Is the triangle too thin for its face to matter to a sphere of this radius? Then its edges answer for
+  /// it.
   bool thin_for(double radius) const { return !(radius < largest_radius); }
   /// The normal, of unit length; zero if the triangle is degenerate.
   Vector unit_normal() const { return length > 0 ? Vector(normal / length) : Vector(Vector::Zero()); }

@@ -8,8 +8,8 @@ namespace first_contact {
 /// What a camera sees: all points on the positive side of six planes that face inwards (paper, 1.3, note 2).
 struct Frustum {
   /// The points that the projection maps into the cube [-1, 1]^3, with w > 0 in front of the eye. For a
-  /// camera that stands elsewhere: `Transform::perspective(...).after(camera.inverse().transform())`. \throws
-  /// std::invalid_argument if one of the six planes is at infinity.
+  /// camera that stands elsewhere: `Transform::perspective(...).after(camera.inverse().transform())`.
+  /// \throws std::invalid_argument if one of the six planes is at infinity.
   explicit Frustum(const Transform& projection);
 
   /// Left, right, bottom, top, near, far.

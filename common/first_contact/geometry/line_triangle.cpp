@@ -13,8 +13,8 @@ double area(const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() *
 //! [line_meets_triangle]
 std::optional<Vector> weights_where_line_meets(const Vector& direction, const Vector& a, const Vector& b,
                                                const Vector& c) {
-  Eigen::Index z =
-      0;  // look along the line: its longest axis is the depth, and a shear moves the line onto it
+  // Look along the line: its longest axis is the depth, and a shear moves the line onto it.
+  Eigen::Index z = 0;
   const double depth = direction.cwiseAbs().maxCoeff(&z);
   if (!(depth > 0)) return std::nullopt;
   const Eigen::Index x = (z + 1) % 3, y = (z + 2) % 3;

@@ -45,23 +45,6 @@ void gather(Lists& lists, std::size_t vertices, std::vector<std::pair<Index, Ind
   std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
 }
 
-//! [edge_kind]
-/// How two faces meet along the first one's side from `from` to `to`. `opposed` says that they go along the
-/// edge in opposite directions, as faces do whose normals point to the same side of the surface.
-EdgeKind kind_of(const Facet& first, const Facet& second, const Vector& along, bool opposed) {
-  if (first.length == 0 || second.length == 0)
-    return EdgeKind::boundary;  // a degenerate face continues nothing
-  const Vector other = opposed ? second.normal : Vector(-second.normal);
-  const Vector turn = first.normal.cross(other);  // |n| |n'| sin(angle), along the edge
-  const double shape =
-      first.longest * first.longest / first.length + second.longest * second.longest / second.length;
-  const bool parallel = turn.norm() <= MeshEdges::flat_tolerance * shape * first.length * second.length;
-  if (parallel)
-    return first.normal.dot(other) > 0 ? EdgeKind::flat : EdgeKind::convex;  // or folded to a knife
-  return turn.dot(along) > 0 ? EdgeKind::convex : EdgeKind::concave;
-}
-//! [edge_kind]
-
 EdgeKind kind_of(const Mesh& mesh, const std::vector<Index>& representative,
                  std::span<const MeshEdges::Side> sides) {
   if (sides.size() == 1) return EdgeKind::boundary;
@@ -108,6 +91,24 @@ bool no_way_out(const std::vector<Vector>& edges) {
 //! [buried]
 
 }  // namespace
+
+//! [edge_kind]
+EdgeKind kind_of(const Facet& first, const Facet& second, const Vector& along, bool opposed) {
+  if (first.length == 0 || second.length == 0)
+    return EdgeKind::boundary;  // a degenerate face continues nothing
+  const Vector other = opposed ? second.normal : Vector(-second.normal);
+  const Vector turn = first.normal.cross(other);  // |n| |n'| sin(angle), along the edge
+  const double shape =
+      first.longest * first.longest / first.length + second.longest * second.longest / second.length;
+  const bool unbent = turn.norm() <= MeshEdges::flat_tolerance * shape * first.length * second.length;
+  if (unbent) return first.normal.dot(other) > 0 ? EdgeKind::flat : EdgeKind::convex;  // or folded to a knife
+  return turn.dot(along) > 0 ? EdgeKind::convex : EdgeKind::concave;
+}
+//! [edge_kind]
+
+bool buried_by(const std::vector<Vector>& edges) {
+  return edges.empty() || (edges.size() <= most_edges_searched && no_way_out(edges));
+}
 
 bool comes_before(const Point& p, const Point& q) {
   return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
@@ -163,10 +164,9 @@ void MeshEdges::collect_surroundings(const Mesh& mesh) {
       const auto& [p, q] = edges_[edge].vertices;
       directions.push_back((mesh.vertices()[p == vertex ? q : p] - mesh.vertices()[vertex]).normalized());
     }
-    const bool searched = directions.size() <= most_edges_searched;
     // A degenerate mesh may shrink to a point: a vertex with a face but no edge is an obstacle all the same.
     const bool lone = directions.empty() && !faces_at(vertex).empty();
-    buried_[vertex] = !lone && (directions.empty() || (searched && no_way_out(directions)));
+    buried_[vertex] = !lone && buried_by(directions);
   }
 }
 

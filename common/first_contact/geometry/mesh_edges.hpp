@@ -46,8 +46,8 @@ class MeshEdges {
 
   /// The normals of two faces in one plane differ by no more than their own rounding, which is at most this
   /// times l / h for a triangle with longest side l and height h: the cross product of two sides is wrong by
-  /// less than 8 eps of the product of their lengths, and this is twice as much. \see
-  /// tests/unit/mesh_edges_test.cpp
+  /// less than 8 eps of the product of their lengths, and this is twice as much.
+  /// \see tests/unit/mesh_edges_test.cpp
   static constexpr double flat_tolerance = 16 * std::numeric_limits<double>::epsilon();
 
   /// Finds all edges, in O(n log n).
@@ -90,5 +90,13 @@ class MeshEdges {
 
 /// Does a point come before another in the order of x, then y, then z?
 bool comes_before(const Point& p, const Point& q);
+
+/// How two faces meet along the first one's side, which goes `along`. `opposed` says that they go along the
+/// edge in opposite directions, as faces do whose normals point to the same side of the surface.
+EdgeKind kind_of(const Facet& first, const Facet& second, const Vector& along, bool opposed);
+
+/// Is a vertex with these edges (vectors away from it, of unit length) buried?
+/// \see MeshEdges::buried
+bool buried_by(const std::vector<Vector>& edges);
 
 }  // namespace first_contact

@@ -17,18 +17,20 @@ class MeshFileError : public std::invalid_argument {
 /// - `.obj` (Wavefront): `v` and `f`, with `a/b/c` and negative numbers; all else is passed over;
 /// - `.off`: with or without colours, normals and texture coordinates, which are passed over;
 /// - `.ply`: ASCII, little-endian and big-endian; all but the vertices' x, y, z and the faces' lists is
-/// passed over;
+///   passed over;
 /// - `.stl`: ASCII and binary; corners at equal positions become one vertex.
 ///
 /// Coordinates are the doubles nearest to the digits in the file. Polygons are cut into a fan of triangles
 /// from their first corner, which is right for convex ones. Memory grows with the file's bytes, never with
-/// the counts that it promises. \throws MeshFileError if the file is missing, empty, of another format, cut
-/// short, longer than its own counts say, or without a face; if a number is malformed, infinite or not a
-/// number; if a face names a vertex that does not exist.
+/// the counts that it promises.
+/// \throws MeshFileError if the file is missing, empty, of another format, cut short, longer than its own
+///     counts say, or without a face; if a number is malformed, infinite or not a number; if a face names a
+///     vertex that does not exist.
 Mesh read_mesh(const std::filesystem::path& file);
 
 /// Writes a mesh in the format OFF, with the fewest digits that give the same doubles again. The file appears
-/// whole or not at all. \throws std::runtime_error that names the file if it cannot be written.
+/// whole or not at all.
+/// \throws std::runtime_error that names the file if it cannot be written.
 void write_off(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace first_contact

@@ -24,13 +24,17 @@ struct MeshBytes {
   [[noreturn]] void refuse_byte(std::size_t byte, const std::string& rule) const;
 };
 
-/// Wavefront OBJ. \throws MeshFileError
+/// Wavefront OBJ.
+/// \throws MeshFileError
 Mesh read_obj(const MeshBytes& file);
-/// OFF. \throws MeshFileError
+/// OFF.
+/// \throws MeshFileError
 Mesh read_off(const MeshBytes& file);
-/// PLY, in ASCII or binary. \throws MeshFileError
+/// PLY, in ASCII or binary.
+/// \throws MeshFileError
 Mesh read_ply(const MeshBytes& file);
-/// STL, in ASCII or binary. \throws MeshFileError
+/// STL, in ASCII or binary.
+/// \throws MeshFileError
 Mesh read_stl(const MeshBytes& file);
 
 /// The words of a text, line by line.
@@ -57,7 +61,8 @@ class TextLines {
   std::int64_t whole(std::string_view word) const;
   /// Words i, i + 1, i + 2 as a point.
   Point point(std::size_t i) const;
-  /// Refuses this line. \throws MeshFileError
+  /// Refuses this line.
+  /// \throws MeshFileError
   [[noreturn]] void refuse(const std::string& rule) const { file_.refuse_line(line_, rule); }
 
  private:

@@ -15,18 +15,19 @@ using Matrix = Eigen::Matrix4d;
 class Transform {
  public:
   /// \throws std::invalid_argument if an entry is not finite, or the matrix is singular: if its determinant
-  /// is zero
-  ///         to within the rounding of its own terms. \see is_singular
+  ///     is zero to within the rounding of its own terms.
+  /// \see is_singular
   explicit Transform(const Matrix& m);
 
   /// The affine map Q -> A Q + v, such as a scaling, a shear or a reflection.
   static Transform affine(const Eigen::Matrix3d& linear, const Vector& translation = Vector::Zero());
 
   /// What an eye at the origin sees that looks along -z: the pyramid between two planes across the line of
-  /// sight is mapped onto the cube [-1, 1]^3, by the division by w = -z. \param view_angle from the lower to
-  /// the upper plane, in radians, between 0 and pi \param aspect     width of the picture divided by its
-  /// height \param near_z,far_z distances from the eye to the two planes, 0 < near_z < far_z \throws
-  /// std::invalid_argument that names the value and the rule
+  /// sight is mapped onto the cube [-1, 1]^3, by the division by w = -z.
+  /// \param view_angle from the lower to the upper plane, in radians, between 0 and pi
+  /// \param aspect width of the picture divided by its height
+  /// \param near_z,far_z distances from the eye to the two planes, 0 < near_z < far_z
+  /// \throws std::invalid_argument that names the value and the rule
   static Transform perspective(double view_angle, double aspect, double near_z, double far_z);
 
   /// The 4x4 matrix M.
@@ -48,7 +49,8 @@ class Transform {
   /// point.
   Vector direction(const Vector& v) const;
   /// The plane of the mapped points: E M^-1, the inverse transpose. The side of a point is kept where its w >
-  /// 0. \throws std::invalid_argument if the plane goes to infinity.
+  /// 0.
+  /// \throws std::invalid_argument if the plane goes to infinity.
   Plane plane(const Plane& e) const;
 
  private:
@@ -63,7 +65,8 @@ class Transform {
 bool is_singular(const Matrix& m);
 
 /// Four roundings of entries, three of products and five of sums are on the way of each of the 24 terms of a
-/// determinant: 12 halves of an epsilon. \see is_singular
+/// determinant: 12 halves of an epsilon.
+/// \see is_singular
 inline constexpr double singular_tolerance = 6 * std::numeric_limits<double>::epsilon();
 
 /// A motion of a rigid body: first turned, then moved. It keeps lengths and angles, so that a sphere remains
@@ -79,7 +82,8 @@ class Rigid {
   /// A shift alone.
   static Rigid moved_by(const Vector& shift) { return {Eigen::Quaterniond::Identity(), shift}; }
   /// Turned about an axis through the origin, by an angle in radians, anticlockwise as seen from the axis'
-  /// tip. \throws std::invalid_argument if the axis is zero, or a value is not finite.
+  /// tip.
+  /// \throws std::invalid_argument if the axis is zero, or a value is not finite.
   static Rigid turned(const Vector& axis, double angle);
 
   /// How it turns.

@@ -9,14 +9,15 @@ namespace first_contact {
 
 namespace {
 
-// Nodes and weights of Gauss's rule with eight points on [-1, 1], the positive half (Abramowitz and Stegun, 25.4):
-// exact for polynomials up to degree 15.
+// Nodes and weights of Gauss's rule with eight points on [-1, 1], the positive half (Abramowitz and Stegun,
+// 25.4): exact for polynomials up to degree 15.
 constexpr std::array<double, 4> nodes{0.18343464249564980, 0.52553240991632899, 0.79666647741362674,
                                       0.96028985649753623};
 constexpr std::array<double, 4> weights{0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
                                         0.10122853629037626};
 
-// Each halving at a corner or a cusp of the curve quarters the error that is left there: 32 take it below rounding.
+// Each halving at a corner or a cusp of the curve quarters the error that is left there: 32 take it below
+// rounding.
 constexpr int most_halvings = 32;
 
 }  // namespace
@@ -39,8 +40,8 @@ double ArcLength::gauss(double from, double to) const {
 }
 
 //! [arc_length]
-// Two halves are measured far better than the whole (by 2^16 where the speed is smooth): their difference bounds the
-// error. The halves are kept as pieces, so that later a part of a piece needs one more rule alone.
+// Two halves are measured far better than the whole (by 2^16 where the speed is smooth): their difference
+// bounds the error. The halves are kept as pieces, so that later a part of a piece needs one more rule alone.
 void ArcLength::measure(double from, double to, double estimate, double allowed, int halvings) {
   const double middle = 0.5 * (from + to);
   const double left = gauss(from, middle), right = gauss(middle, to);
@@ -64,7 +65,8 @@ double ArcLength::to(double u) const {
 }
 
 //! [arc_length_parameter]
-// Newton's steps, u += (s - length) / speed, kept within the bracket that they shrink; halving where they leave it.
+// Newton's steps, u += (s - length) / speed, kept within the bracket that they shrink; halving where they
+// leave it.
 double ArcLength::parameter(double length) const {
   if (!(length > 0)) return 0;
   if (length >= total()) return 1;

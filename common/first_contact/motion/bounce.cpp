@@ -28,8 +28,8 @@ double geometric_sum(double e, std::size_t m) {
 //! [geometric_sum]
 
 //! [first_landing]
-// The first root of h - v t - g t^2 / 2 = 0. Energy gives the speed there; the time follows by the form of the root
-// that does not cancel.
+// The first root of h - v t - g t^2 / 2 = 0. Energy gives the speed there; the time follows by the form of
+// the root that does not cancel.
 std::optional<Landing> first_landing(double h, double v, double g) {
   const double speed = std::hypot(v, std::sqrt(2 * g) * std::sqrt(h));
   if (speed == 0) return std::nullopt;                     // at rest, on the floor or without gravity
@@ -56,7 +56,8 @@ double Bounce::impact_speed(std::size_t n) const {
   return first_->speed * std::pow(restitution_, static_cast<double>(n - 1));  // v1 e^(n - 1)
 }
 
-// The flight between the first impact and the second: up with e v1, and down again. Each later one is e times as long.
+// The flight between the first impact and the second: up with e v1, and down again. Each later one is e times
+// as long.
 double Bounce::first_rebound() const { return 2 * restitution_ * first_->speed / gravity_; }
 
 double Bounce::impact_time(std::size_t n) const {

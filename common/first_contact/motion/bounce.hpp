@@ -20,12 +20,14 @@ struct Apex {
   double height;
 };
 
-/// A ball that falls on a floor and bounces, solved from impact to impact instead of in time steps. Between two
-/// impacts it flies a parabola that is known exactly, so there is nothing to drift, and no impact is late.
+/// A ball that falls on a floor and bounces, solved from impact to impact instead of in time steps. Between
+/// two impacts it flies a parabola that is known exactly, so there is nothing to drift, and no impact is
+/// late.
 ///
 /// Its height is that of what touches the floor: of a ball's centre above the floor moved out by its radius
-/// (paper, 1.2). Speeds are positive downwards, as in the paper's programs 1 to 3: v0 = 50 is thrown down, v0 = -50 up.
-/// Without gravity (g = 0) it flies straight: it meets the floor once if thrown down, and then leaves for ever.
+/// (paper, 1.2). Speeds are positive downwards, as in the paper's programs 1 to 3: v0 = 50 is thrown down, v0
+/// = -50 up. Without gravity (g = 0) it flies straight: it meets the floor once if thrown down, and then
+/// leaves for ever.
 ///
 /// Error of times and speeds: at most 8 eps, relative.
 class Bounce {
@@ -37,20 +39,20 @@ class Bounce {
   /// \throws std::invalid_argument that names the value and the rule.
   Bounce(double height, double speed_down, double gravity, double restitution);
 
-  /// Impact number n = 1, 2, ... in closed form; nothing if there is none. With 0 < e < 1 there are infinitely many,
-  /// each e times as fast as the one before, and all before rest_time().
+  /// Impact number n = 1, 2, ... in closed form; nothing if there is none. With 0 < e < 1 there are
+  /// infinitely many, each e times as fast as the one before, and all before rest_time().
   std::optional<Landing> impact(std::size_t n) const;
   /// The top of the arc that follows impact n; with n = 0, of the first flight if it is thrown upwards.
   std::optional<Apex> apex(std::size_t n) const;
 
-  /// The impacts up to a time: not more than `most`, and, as infinitely many may come before rest_time(), only as long
-  /// as their times differ as doubles.
+  /// The impacts up to a time: not more than `most`, and, as infinitely many may come before rest_time(),
+  /// only as long as their times differ as doubles.
   std::vector<Landing> impacts(double until, std::size_t most) const;
   /// The tops of the arcs, under the same limits.
   std::vector<Apex> apexes(double until, std::size_t most) const;
 
-  /// From when on the ball lies on the floor: the impacts' times have a limit (Zeno), t1 + (2 v1 / g) e / (1 - e).
-  /// Nothing if it never comes to rest there: e = 1, or no gravity to bring it back.
+  /// From when on the ball lies on the floor: the impacts' times have a limit (Zeno), t1 + (2 v1 / g) e / (1
+  /// - e). Nothing if it never comes to rest there: e = 1, or no gravity to bring it back.
   std::optional<double> rest_time() const;
 
   /// Height at a time; a negative time counts as 0.

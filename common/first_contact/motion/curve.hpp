@@ -6,14 +6,14 @@
 #include "first_contact/geometry/space.hpp"
 
 /// \file
-/// The curves along which animations are tweened (paper, 1.1): a line, a Bezier curve, a B-spline. Each runs over
-/// u in [0, 1], stays within the convex hull of its control points (to within rounding), and its derivative is a
-/// curve of the same kind.
+/// The curves along which animations are tweened (paper, 1.1): a line, a Bezier curve, a B-spline. Each runs
+/// over u in [0, 1], stays within the convex hull of its control points (to within rounding), and its
+/// derivative is a curve of the same kind.
 
 namespace first_contact {
 
-/// A Bezier curve of any degree: one less than it has control points. It begins at the first and ends at the last,
-/// exactly. With two control points it is a line.
+/// A Bezier curve of any degree: one less than it has control points. It begins at the first and ends at the
+/// last, exactly. With two control points it is a line.
 class Bezier {
  public:
   /// \throws std::invalid_argument if there is no control point, or one is not finite.
@@ -32,18 +32,20 @@ class Bezier {
   std::vector<Point> control_;
 };
 
-/// A B-spline: pieces of one degree that join at knots. Each piece depends on degree + 1 control points alone, so
-/// that moving one of them bends the curve only nearby.
+/// A B-spline: pieces of one degree that join at knots. Each piece depends on degree + 1 control points
+/// alone, so that moving one of them bends the curve only nearby.
 class BSpline {
  public:
   /// Clamped, with equal knot spans: it begins at the first control point and ends at the last, exactly.
-  /// \throws std::invalid_argument if there are not more control points than the degree, or one is not finite.
+  /// \throws std::invalid_argument if there are not more control points than the degree, or one is not
+  ///     finite.
   BSpline(std::vector<Point> control_points, std::size_t degree);
 
-  /// With given knots, one for each control point and degree + 1 more; the curve runs from knot number `degree` to
-  /// the last but `degree`. It meets its end points only where degree knots or more coincide there.
-  /// \throws std::invalid_argument also if the knots are not finite, not ascending, their number is wrong, or more
-  ///         than `degree` of those between the first and the last coincide (the curve would break there).
+  /// With given knots, one for each control point and degree + 1 more; the curve runs from knot number
+  /// `degree` to the last but `degree`. It meets its end points only where degree knots or more coincide
+  /// there.
+  /// \throws std::invalid_argument also if the knots are not finite, not ascending, their number is wrong, or
+  ///     more than `degree` of those between the first and the last coincide (the curve would break there).
   BSpline(std::vector<Point> control_points, std::size_t degree, std::vector<double> knots);
 
   /// The point at u, by de Boor's corner cutting. Outside [0, 1] the polynomial of the nearer piece goes on.
@@ -86,7 +88,8 @@ const std::vector<Point>& control_points(const Curve& curve);
 /// The values of u between which the curve is one polynomial, with 0 and 1, ascending.
 std::vector<double> breaks(const Curve& curve);
 
-/// No longer than this is any vector of the curve's hodograph: the curve stays in the hull of its control points.
+/// No longer than this is any vector of the curve's hodograph: the curve stays in the hull of its control
+/// points.
 double longest_control_vector(const Curve& hodograph);
 
 }  // namespace first_contact

@@ -31,8 +31,8 @@ double back(double t) {
 double elastic(double t) { return exponential(t) * std::cos(20 * pi / 3 * (1 - t)); }
 
 //! [bounce_easing]
-// A ball dropped with g = 2 from height 1 lands at time 1 with speed 2; with restitution 1/2 it lands again at 2,
-// at 2.5 and at 2.75. Between two impacts it is at (s - left)(right - s) above the floor.
+// A ball dropped with g = 2 from height 1 lands at time 1 with speed 2; with restitution 1/2 it lands again
+// at 2, at 2.5 and at 2.75. Between two impacts it is at (s - left)(right - s) above the floor.
 double dropped(double t) {
   const double s = 2.75 * t;
   const double height = s < 1     ? (1 - s) * (1 + s)

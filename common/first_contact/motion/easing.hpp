@@ -7,8 +7,8 @@
 /// \file
 /// Easings: how far along its way a tween is, for the part of its time that has passed (paper, 1.1).
 ///
-/// Each is exactly 0 at 0 and exactly 1 at 1, and stays at these values before and after, so that a tween ends
-/// where it should. In between, `back` and `elastic` go beyond.
+/// Each is exactly 0 at 0 and exactly 1 at 1, and stays at these values before and after, so that a tween
+/// ends where it should. In between, `back` and `elastic` go beyond.
 
 namespace first_contact {
 
@@ -74,11 +74,11 @@ std::span<const Named> all();
 
 }  // namespace ease
 
-/// One step toward a goal that may itself move: what remains of the way shrinks by e^(-rate dt), so that two steps
-/// of dt/2 do what one step of dt does, at any frame rate. The tempting lerp(a, b, 0.1) once a frame does not: after
-/// a second 4.2 % of the way is left at 30 frames per second, but 0.18 % at 60.
+/// One step toward a goal that may itself move: what remains of the way shrinks by e^(-rate dt), so that two
+/// steps of dt/2 do what one step of dt does, at any frame rate. The tempting lerp(a, b, 0.1) once a frame
+/// does not: after a second 4.2 % of the way is left at 30 frames per second, but 0.18 % at 60.
 ///
-/// \param rate  per unit of time; ln 2 / rate is the time in which the way left is halved
+/// \param rate per unit of time; ln 2 / rate is the time in which the way left is halved
 /// \throws std::invalid_argument if rate or dt is negative or not finite.
 double damp(double from, double goal, double rate, double dt);
 /// The same for a point.

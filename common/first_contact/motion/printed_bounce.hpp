@@ -6,12 +6,12 @@
 
 namespace first_contact {
 
-/// The fall and rebound of the paper's programs 1 to 3, as printed: the same floating-point operations in the same
-/// order, so that every height agrees to the last bit with what a MATLAB interpreter computes.
+/// The fall and rebound of the paper's programs 1 to 3, as printed: the same floating-point operations in the
+/// same order, so that every height agrees to the last bit with what a MATLAB interpreter computes.
 ///
-/// Each step lowers the ball by dy = v0 dt - g t dT. The paper's v0 is the speed *downwards*; gravity's sign is
-/// reversed in the fall (dT = dt at first: it brakes), t counts from the start and not from the bounce, and the
-/// rebound is bent down by a dT of the other sign. For the physical motion see Bounce.
+/// Each step lowers the ball by dy = v0 dt - g t dT. The paper's v0 is the speed *downwards*; gravity's sign
+/// is reversed in the fall (dT = dt at first: it brakes), t counts from the start and not from the bounce,
+/// and the rebound is bent down by a dT of the other sign. For the physical motion see Bounce.
 struct PrintedBounce {
   double v0 = 50;    ///< the paper's vo: speed downwards
   double y0 = 25;    ///< height at the start; the floor is 0
@@ -41,8 +41,8 @@ struct PrintedMotion {
 };
 
 /// Runs the loop of the programs.
-/// \throws std::invalid_argument if a value is not finite, dt is not positive, y0, g or restitution is negative,
-///         there is no sample, or a height overflows.
+/// \throws std::invalid_argument if a value is not finite, dt is not positive, y0, g or restitution is
+///     negative, there is no sample, or a height overflows.
 PrintedMotion run(const PrintedBounce& bounce);
 
 /// The tops of the arcs: the samples that are higher than the one before and not lower than the next.

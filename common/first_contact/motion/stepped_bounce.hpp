@@ -24,10 +24,10 @@ struct Stepped {
   double energy(double gravity) const { return gravity * height + speed_up * speed_up / 2; }
 };
 
-/// A ball dropped from a height, in steps of dt; a ball found below the floor is put back on it and its speed turned
-/// up: what most games do, and why their balls creep or fly. Compare Bounce, which drifts by nothing.
-/// \throws std::invalid_argument if height or gravity is negative, dt is not positive, restitution is not in [0, 1],
-///         or a value is not finite.
+/// A ball dropped from a height, in steps of dt; a ball found below the floor is put back on it and its speed
+/// turned up: what most games do, and why their balls creep or fly. Compare Bounce, which drifts by nothing.
+/// \throws std::invalid_argument if height or gravity is negative, dt is not positive, restitution is not in
+///     [0, 1], or a value is not finite.
 std::vector<Stepped> stepped_bounce(Stepper stepper, double height, double gravity, double restitution,
                                     double dt, std::size_t steps);
 

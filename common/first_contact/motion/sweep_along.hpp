@@ -10,22 +10,23 @@
 #include "first_contact/sweep/contact.hpp"
 
 /// \file
-/// A sweep along a curve: between two pictures motion is taken as straight, even along a curve (paper, 1.1). Here it
-/// is said how straight.
+/// A sweep along a curve: between two pictures motion is taken as straight, even along a curve (paper, 1.1).
+/// Here it is said how straight.
 
 namespace first_contact {
 
-/// The values of u in [0, 1] between which chords stay within `deviation` of the curve, at every u: a chord over a
-/// step h of u is off by at most h^2 / 8 max |C''|, and C'' is no longer than its own control vectors.
-/// \throws std::invalid_argument if the deviation is not finite and positive, or would need more than 10 million
-///         chords.
+/// The values of u in [0, 1] between which chords stay within `deviation` of the curve, at every u: a chord
+/// over a step h of u is off by at most h^2 / 8 max |C''|, and C'' is no longer than its own control vectors.
+/// \throws std::invalid_argument if the deviation is not finite and positive, or would need more than 10
+///     million chords.
 std::vector<double> chords(const Curve& curve, double deviation);
 
-/// First contact of a sphere that moves along a curve, its centre at C(u), with any obstacle for which there is a
-/// sweep(Moving<Sphere>, obstacle). The time is u in [0, 1].
+/// First contact of a sphere that moves along a curve, its centre at C(u), with any obstacle for which there
+/// is a sweep(Moving<Sphere>, obstacle). The time is u in [0, 1].
 ///
-/// The sphere that is swept, along chords, is within `deviation` of the one on the curve, at every u. So if nothing is
-/// hit, no true sphere of a radius smaller by `deviation` hits anything; to miss nothing, pass a radius larger by it.
+/// The sphere that is swept, along chords, is within `deviation` of the one on the curve, at every u. So if
+/// nothing is hit, no true sphere of a radius smaller by `deviation` hits anything; to miss nothing, pass a
+/// radius larger by it.
 /// \throws std::invalid_argument as chords() does, or if the radius is negative or not finite.
 template <class Obstacle>
 std::optional<Contact> sweep_along(const Curve& curve, double radius, const Obstacle& obstacle,

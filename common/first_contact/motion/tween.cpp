@@ -33,8 +33,8 @@ std::size_t current(const std::vector<Key>& keys, double time) {
 }
 
 //! [tween_part]
-// Which part of its way from key i to the next a tween has gone: exactly 0 at the one and 1 at the other. Two times
-// far apart are halved first, for their difference may overflow.
+// Which part of its way from key i to the next a tween has gone: exactly 0 at the one and 1 at the other. Two
+// times far apart are halved first, for their difference may overflow.
 template <class Key>
 double part_of_way(const std::vector<Key>& keys, std::size_t i, double time) {
   const double passed = time / 2 - keys[i].time / 2, all = keys[i + 1].time / 2 - keys[i].time / 2;

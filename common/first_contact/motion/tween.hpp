@@ -30,7 +30,8 @@ struct Path {
   Curve from_to(const Point& a, const Point& b) const;
 };
 
-/// A place at a time, and how to go on from there to the next key frame. Those of the last key frame are not used.
+/// A place at a time, and how to go on from there to the next key frame. Those of the last key frame are not
+/// used.
 struct KeyFrame {
   double time;                   ///< later than that of the key frame before
   Point position;                ///< at that time
@@ -38,12 +39,12 @@ struct KeyFrame {
   Path path = {};                ///< to the next
 };
 
-/// A motion through key frames. At each key's time it is exactly at its position; before the first and after the last
-/// it stays there.
+/// A motion through key frames. At each key's time it is exactly at its position; before the first and after
+/// the last it stays there.
 class Tween {
  public:
-  /// \throws std::invalid_argument if there is no key frame, a time is not finite or not later than the one before, a
-  ///         position or control point is not finite, or an easing is missing.
+  /// \throws std::invalid_argument if there is no key frame, a time is not finite or not later than the one
+  ///     before, a position or control point is not finite, or an easing is missing.
   explicit Tween(std::vector<KeyFrame> keys);
 
   /// Where it is at that time.
@@ -75,9 +76,10 @@ struct Pose {
   Easing easing = ease::linear;    ///< of the way to the next
 };
 
-/// A rigid motion through key poses: straight lines for the position, and for the orientation the shortest turn at
-/// constant angular speed (Shoemake's slerp). Every pose in between is a rigid motion again, a 4x4 homogeneous matrix
-/// (paper, 2.4.2): it turns and moves and never shears, as tweening the entries of two matrices would.
+/// A rigid motion through key poses: straight lines for the position, and for the orientation the shortest
+/// turn at constant angular speed (Shoemake's slerp). Every pose in between is a rigid motion again, a 4x4
+/// homogeneous matrix (paper, 2.4.2): it turns and moves and never shears, as tweening the entries of two
+/// matrices would.
 class RigidTween {
  public:
   /// Orientations are divided by their length.

@@ -6,7 +6,8 @@ namespace first_contact {
 /// A box among objects: which does it touch?
 class BoxSearch : public Search {
  public:
-  /// \param scene  the bounds of all objects; \param test  of one object
+  /// \param scene the bounds of all objects;
+  /// \param test of one object
   BoxSearch(const Bounds& box, const Bounds& scene, std::function<bool(std::size_t)> test);
 
   bool reaches(const Bounds& box) const override { return overlap(box_, box); }

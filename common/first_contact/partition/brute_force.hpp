@@ -21,6 +21,8 @@ class BruteForce {
   std::size_t nodes() const { return 1; }
   /// Of a single node: 0.
   std::size_t depth() const { return 0; }
+  /// None was needed: 0.
+  std::size_t work() const { return 0; }
 
  private:
   std::size_t size_;

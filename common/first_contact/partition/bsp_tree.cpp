@@ -96,8 +96,8 @@ class BspTree::Builder {
     thickness_ = thickness * all.largest_coordinate();
   }
 
-  // Makes a node of some pieces, and all below it. With a quota of pieces the tree cannot outgrow its limit: where
-  // it is used up, polygons that cross each other stay together in a leaf.
+  // Makes a node of some pieces, and all below it. With a quota of pieces the tree cannot outgrow its limit:
+  // where it is used up, polygons that cross each other stay together in a leaf.
   std::uint32_t build(std::vector<Piece> pieces, std::size_t quota, std::size_t depth) {
     const auto number = static_cast<std::uint32_t>(tree_.nodes_.size());
     tree_.nodes_.emplace_back();
@@ -128,7 +128,7 @@ class BspTree::Builder {
   };
 
   //! [best_plane]
-  // Of some of the polygons, evenly chosen, the one whose plane divides best; none if no plane gets any further.
+  // Of some of the polygons, evenly chosen, the one whose plane divides best; none if none gets further.
   std::optional<Plane> best_plane(const std::vector<Piece>& pieces, std::size_t quota) const {
     std::optional<Plane> best;
     Division least;
@@ -136,6 +136,7 @@ class BspTree::Builder {
     for (std::size_t i = 0; i < pieces.size(); i += step) {
       const auto plane = plane_of(polygons_[pieces[i].polygon]);
       if (!plane) continue;
+      tree_.work_ += pieces.size();
       const Division division = divide(pieces, *plane, thickness_);
       const bool useful = division.larger() < pieces.size() && pieces.size() + division.cut <= quota;
       if (!useful || (best && !(division < least))) continue;
@@ -148,6 +149,7 @@ class BspTree::Builder {
 
   Parts part(const std::vector<Piece>& pieces, const Plane& plane) const {
     Parts parts;
+    tree_.work_ += pieces.size();
     for (const Piece& piece : pieces) {
       const auto [in_front, behind] = position(piece, plane, thickness_);
       if (in_front && behind) {

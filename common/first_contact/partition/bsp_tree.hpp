@@ -17,9 +17,9 @@ struct BspLimits {
   std::size_t growth = 8;       ///< there may be this many pieces to a polygon on the average
 };
 
-/// A BSP tree over polygons (paper, 1.4): the plane of one polygon divides space and the other polygons into what
-/// is in front of it and what is behind; then each half is divided likewise. Polygons within the plane stay at
-/// the node.
+/// A BSP tree over polygons (paper, 1.4): the plane of one polygon divides space and the other polygons into
+/// what is in front of it and what is behind; then each half is divided likewise. Polygons within the plane
+/// stay at the node.
 ///
 /// A polygon on both sides is cut in two, but only to find out where it belongs: the tree keeps the polygon's
 /// number on both sides, and what is tested in the end is the polygon as it was given. So there are no new
@@ -28,7 +28,7 @@ class BspTree {
  public:
   /// A part of space: cut by a plane, or a leaf.
   struct Node {
-    std::optional<Plane> plane;         ///< none: a leaf
+    std::optional<Plane> plane;  ///< none: a leaf
     ///@{
     /// The number of a child.
     std::uint32_t front = 0, back = 0;
@@ -45,14 +45,16 @@ class BspTree {
   /// Cuts space by the planes of the polygons until few are left in each part.
   explicit BspTree(std::span<const Triangle> polygons, const BspLimits& limits = {});
 
-  /// Shows a search all parts of space that it reaches, those first to which the motion comes first, and tests
-  /// the polygons there.
+  /// Shows a search all parts of space that it reaches, those first to which the motion comes first, and
+  /// tests the polygons there.
   void search(Search& search) const;
 
   /// How many nodes there are.
   std::size_t nodes() const { return nodes_.size(); }
   /// The depth of the deepest; the root's is 0.
   std::size_t depth() const { return depth_; }
+  /// How many times a polygon, or a piece of one, was looked at to build the tree.
+  std::size_t work() const { return work_; }
   /// The root has number 0.
   const Node& node(std::size_t i) const { return nodes_[i]; }
   /// The polygons' numbers, those of each node side by side; those that were cut more than once.
@@ -70,7 +72,7 @@ class BspTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0;
+  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<BspTree>);

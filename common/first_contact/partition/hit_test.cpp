@@ -40,8 +40,8 @@ bool on(const Side& side, const Point2& p) {
   return Rectangle(side.from.cwiseMin(side.to) - margin, side.from.cwiseMax(side.to) + margin).contains(p);
 }
 
-// Does the ray from p to the right cross a side that p is not on? Of the side's two ends the upper one does not
-// count, so that a ray through a corner crosses once, or twice, or not at all, as it should.
+// Does the ray from p to the right cross a side that p is not on? Of the side's two ends the upper one does
+// not count, so that a ray through a corner crosses once, or twice, or not at all, as it should.
 bool ray_crosses(const Side& side, const Point2& p) {
   const bool upward = side.from.y() <= p.y() && p.y() < side.to.y();
   const bool downward = side.to.y() <= p.y() && p.y() < side.from.y();

@@ -6,14 +6,15 @@
 #include <vector>
 
 /// \file
-/// The hit tests of ActionScript 3 (paper, 1.1 and 2.4.1), from what its documents say of them: hitTestPoint, a
-/// point against an object's shape or its bounding box, and hitTestObject, bounding box against bounding box.
+/// The hit tests of ActionScript 3 (paper, 1.1 and 2.4.1), from what its documents say of them: hitTestPoint,
+/// a point against an object's shape or its bounding box, and hitTestObject, bounding box against bounding
+/// box.
 ///
 /// - Points are given on the *stage*, the one space that all objects share; each object has an outline of its
 ///   own, and a transform that puts it on the stage. To take a point in the object's own coordinates is the
 ///   common mistake.
-/// - A shape is filled by the even-odd rule: a point is inside if a ray from it crosses the outline an odd number
-///   of times. Where an outline crosses itself there may be holes.
+/// - A shape is filled by the even-odd rule: a point is inside if a ray from it crosses the outline an odd
+///   number of times. Where an outline crosses itself there may be holes.
 /// - The boundary belongs to the shape, and the sides to the box: touching is a hit.
 /// - An object without corners is hit by nothing.
 
@@ -54,12 +55,12 @@ bool hit_test_point(const StageObject& object, const Point2& on_stage, bool shap
 /// hitTestObject(other): do the bounding boxes share a point? Their shapes may well be apart.
 bool hit_test_object(const StageObject& a, const StageObject& b);
 
-/// What hitTestObject cannot tell: do the shapes themselves share a point? Two sides meet, or a corner of one is
-/// inside the other.
+/// What hitTestObject cannot tell: do the shapes themselves share a point? Two sides meet, or a corner of one
+/// is inside the other.
 bool overlap(const StageObject& a, const StageObject& b);
 
-/// The object under the pointer (paper, 2.4.3): of all whose shape it is in, the one drawn last, on top of the
-/// others. Nothing if there is none.
+/// The object under the pointer (paper, 2.4.3): of all whose shape it is in, the one drawn last, on top of
+/// the others. Nothing if there is none.
 std::optional<std::size_t> pick(std::span<const StageObject> drawn, const Point2& pointer);
 
 }  // namespace first_contact

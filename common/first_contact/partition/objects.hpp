@@ -42,8 +42,8 @@ std::vector<std::size_t> near(const Bounds& box, const Objects<Tree>& objects,
   return search.found();
 }
 
-/// The numbers of all objects whose bounds, moved out by the radius, the centre of the moving sphere meets: every
-/// object that it could touch is among them.
+/// The numbers of all objects whose bounds, moved out by the radius, the centre of the moving sphere meets:
+/// every object that it could touch is among them.
 template <Partition Tree>
 std::vector<std::size_t> near(const Moving<Sphere>& ball, const Objects<Tree>& objects,
                               Statistics* counted = nullptr) {

@@ -68,6 +68,7 @@ void Octree::divide(std::size_t node, std::span<const Bounds> objects, const Oct
 
 // Appends the eight children of a node and hands its objects on to them.
 void Octree::distribute(const Node& parent, std::span<const Bounds> objects) {
+  work_ += parent.end - parent.begin;
   const double half = 0.5 * parent.side;
   const Point middle = parent.low + Vector::Constant(half);
   const auto octant = [&](std::uint32_t object) { return octant_of(objects[object].center(), middle); };

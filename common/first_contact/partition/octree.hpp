@@ -17,18 +17,18 @@ struct OctreeLimits {
 /// those again. Each node has eight children or none.
 ///
 /// Each object belongs to one leaf only, the one in whose cube its centre lies; how far the objects of a node
-/// reach beyond its cube is known from their common bounds, kept with the node. This is a *loose* octree, whose
-/// looseness is not a fixed factor but as small as the objects allow. The other way, to refer to an object from
-/// every leaf that it overlaps, keeps the cubes disjoint, but finds an object several times, and a large one
-/// among many small ones is noted in nearly every leaf.
+/// reach beyond its cube is known from their common bounds, kept with the node. This is a *loose* octree,
+/// whose looseness is not a fixed factor but as small as the objects allow. The other way, to refer to an
+/// object from every leaf that it overlaps, keeps the cubes disjoint, but finds an object several times, and
+/// a large one among many small ones is noted in nearly every leaf.
 class Octree {
  public:
   /// A cube: divided into eight, or a leaf.
   struct Node {
-    Bounds bounds;                     ///< of its objects; empty if it has none
-    Point low;                         ///< the lowest corner of its cube
-    double side;                       ///< the length of the cube's edges
-    std::uint32_t first_child = 0;     ///< the number of the first of eight; 0 for a leaf
+    Bounds bounds;                  ///< of its objects; empty if it has none
+    Point low;                      ///< the lowest corner of its cube
+    double side;                    ///< the length of the cube's edges
+    std::uint32_t first_child = 0;  ///< the number of the first of eight; 0 for a leaf
     ///@{
     /// Its objects: places in `order()`.
     std::uint32_t begin = 0, end = 0;
@@ -43,14 +43,16 @@ class Octree {
   /// Of polygons, by their bounds.
   explicit Octree(std::span<const Triangle> polygons, const OctreeLimits& limits = {});
 
-  /// Shows a search all nodes that it reaches, and tests the objects of their leaves. The child from which the
-  /// motion comes is shown first.
+  /// Shows a search all nodes that it reaches, and tests the objects of their leaves. The child from which
+  /// the motion comes is shown first.
   void search(Search& search) const;
 
   /// How many nodes there are.
   std::size_t nodes() const { return nodes_.size(); }
   /// The depth of the deepest; the root's is 0.
   std::size_t depth() const { return depth_; }
+  /// How many times an object was looked at to build the tree.
+  std::size_t work() const { return work_; }
   /// The root has number 0.
   const Node& node(std::size_t i) const { return nodes_[i]; }
   /// The objects' numbers, those of each node side by side.
@@ -64,7 +66,7 @@ class Octree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0;
+  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<Octree>);

@@ -9,9 +9,9 @@
 #include "first_contact/geometry/plane.hpp"
 
 /// \file
-/// The seam between trees and questions. A tree knows where its objects are; a search knows what is asked. The
-/// tree hands itself over, node by node; the search says which nodes it reaches, tests the objects there, and
-/// counts. So each question is written once for all trees, and each tree once for all questions.
+/// The seam between trees and questions. A tree knows where its objects are; a search knows what is asked.
+/// The tree hands itself over, node by node; the search says which nodes it reaches, tests the objects there,
+/// and counts. So each question is written once for all trees, and each tree once for all questions.
 
 namespace first_contact {
 
@@ -78,6 +78,7 @@ concept Partition = requires(const Tree& tree, Search& search) {
   tree.search(search);  // shows the search at least every object that it could hit
   { tree.nodes() } -> std::convertible_to<std::size_t>;
   { tree.depth() } -> std::convertible_to<std::size_t>;
+  { tree.work() } -> std::convertible_to<std::size_t>;
 };
 
 }  // namespace first_contact

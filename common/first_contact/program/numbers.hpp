@@ -15,7 +15,8 @@ class Refused : public std::runtime_error {
 /// \throws Refused with the rule that is broken.
 double number_of(const std::string& text);
 
-/// So many numbers, separated by commas and nothing else. \throws Refused with the rule that is broken.
+/// So many numbers, separated by commas and nothing else.
+/// \throws Refused with the rule that is broken.
 std::vector<double> numbers_of(const std::string& text, std::size_t count);
 
 }  // namespace first_contact::program

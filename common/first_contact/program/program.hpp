@@ -17,13 +17,10 @@ namespace first_contact::program {
 /// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a
 /// failure.
 ///
-///     int main(int argc, char** argv) {
-///       Program program("plane", "01_plane", "A moving sphere meets a plane (paper, 1.2).");
-///       double radius = 1;
-///       program.option("--radius", radius, "r", "radius of the sphere", not_negative);
-///       return program.run(argc, argv, [&] { ... program.report().row(...); program.json()["contact"] = ...;
-///       });
-///     }
+/// int main(int argc, char** argv) { Program program("plane", "01_plane", "A moving sphere meets a plane
+/// (paper, 1.2)."); double radius = 1; program.option("--radius", radius, "r", "radius of the sphere",
+/// not_negative); return program.run(argc, argv, [&] { ... program.report().row(...);
+/// program.json()["contact"] = ...; }); }
 class Program {
  public:
   /// \param name  of the program
@@ -74,7 +71,8 @@ class Program {
   Report& report();
   /// What `--json` prints.
   Json& json();
-  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as JSON.
+  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as
+  /// JSON.
   void value(const std::string& name, double number);
   /// The language of this run.
   Language language() const;
@@ -98,7 +96,8 @@ std::string not_negative(double value);
 std::string positive(double value);
 std::string at_most_one(double value);  ///< in [0, 1], such as a coefficient of restitution
 
-/// Writes a whole file or none of it. \throws std::runtime_error that names the file if it cannot be written.
+/// Writes a whole file or none of it.
+/// \throws std::runtime_error that names the file if it cannot be written.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace first_contact::program

@@ -32,9 +32,11 @@ struct Impact {
 /// Impact of two smooth bodies (without friction or spin; paper, 2.4.2): the impulse along the normal that
 /// turns the speed of approach s into the speed of separation e s. What is across the normal stays as it is.
 /// Momentum is kept; the energy 1/2 (1 - e^2) s^2 / (1/m_p + 1/m_q) is lost. Bodies that do not approach are
-/// left alone. \param normal       from q to p, *at contact*; of any length but zero. \param restitution  e
-/// in [0, 1]: 0, and they stay together; 1, and no energy is lost. \throws std::invalid_argument for a zero
-/// normal, a restitution out of range, or two immovable bodies that approach.
+/// left alone.
+/// \param normal from q to p, *at contact*; of any length but zero.
+/// \param restitution e in [0, 1]: 0, and they stay together; 1, and no energy is lost.
+/// \throws std::invalid_argument for a zero normal, a restitution out of range, or two immovable bodies that
+///     approach.
 template <int Dimension>
 Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
                          const Eigen::Matrix<double, Dimension, 1>& normal, double restitution);

@@ -30,8 +30,7 @@ struct PrintedImpact {
 /// - What it calls the radius of the objects, r, acts as the coefficient of restitution.
 /// - With r < 1 it slows the velocities across the normal as well, as if the bodies also dragged.
 /// - The normal enters as its slope, a = dy / dx: if dx is 0, then a is taken as 10^12 instead; if that dx
-/// underflows to
-///   0 too, the velocities are not numbers. Bodies at one place never collide.
+///   underflows to 0 too, the velocities are not numbers. Bodies at one place never collide.
 ///
 /// Masses, positions and velocities are taken as they come, as in the listing.
 PrintedImpact printed_impact(const PrintedBody& one, const PrintedBody& two, double r);

@@ -24,6 +24,7 @@ Vector along_crease(const Vector& rest, const Vector& n, const Vector& m) {
 }
 //! [slide_ways]
 
+//! [slide_walls]
 /// A wall that the sphere has met, and how far to move away from it to stand clear by the gap.
 struct Wall {
   Vector normal;
@@ -35,6 +36,7 @@ struct Way {
   Vector along;
   Vector away;
 };
+//! [slide_walls]
 
 // The shortest motion away from two walls, by the lift of each.
 Vector away_from(const Wall& a, const Wall& b) {

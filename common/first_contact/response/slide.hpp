@@ -20,6 +20,7 @@ namespace first_contact {
 /// \param n  the wall's unit normal at contact
 Point slide_target(const Point& p2, const Point& q, const Vector& n);
 
+//! [slide_result]
 /// Why a slide ends.
 enum class Ending {
   arrived,   ///< all of the motion was made, or slid along walls
@@ -37,6 +38,7 @@ struct Slide {
   /// Where the centre ends.
   const Point& end() const { return positions.back(); }
 };
+//! [slide_result]
 
 /// The first contact of a sphere with an environment of any kind.
 using SphereSweep = std::function<std::optional<Contact>(const Moving<Sphere>&)>;
@@ -51,7 +53,8 @@ using SphereSweep = std::function<std::optional<Contact>(const Moving<Sphere>&)>
 inline constexpr double slide_gap = 16 * std::numeric_limits<double>::epsilon();
 
 /// Two normals at a smaller angle (in radians) are of one wall: their cross product, the crease, has lost
-/// half of its digits, being known to eps / angle. \see tests/unit/slide_test.cpp
+/// half of its digits, being known to eps / angle.
+/// \see tests/unit/slide_test.cpp
 inline constexpr double slide_same_wall = 0x1p-26;
 
 /// Moves a sphere and lets it slide along whatever it meets, wall after wall. At each contact

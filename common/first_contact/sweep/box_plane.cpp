@@ -17,9 +17,8 @@ ContactPoints lowest_vertices(const Box& box, const Vector& normal) {
     const double slope = axis.stableNormalized().dot(normal);
     if (std::abs(slope) > parallel_tolerance) {
       points.colwise() -= std::copysign(0.5, slope) * axis;  // down this axis, whatever the others do
-    } else if (!axis.isZero(0)) {
-      const Eigen::Index n =
-          points.cols();  // level: both ends, so twice as many; mirrored, to go around a face
+    } else if (!axis.isZero(0)) {  // level: both ends, so twice as many; mirrored, to go around a face
+      const Eigen::Index n = points.cols();
       points.conservativeResize(Eigen::NoChange, 2 * n);
       points.rightCols(n) = points.leftCols(n).rowwise().reverse().eval();
       points.leftCols(n).colwise() -= 0.5 * axis;

@@ -14,11 +14,13 @@
 /// - Motion is S(t) = S0 + t V for t in [0, 1]; lengths are in one unit of the caller's choice.
 /// - Apart at 0: the first t in [0, 1] at which the distance is 0, or nothing.
 /// - Touching at 0: a contact at t = 0 if approaching (V.N < 0), nothing if sliding along or leaving.
-/// - Overlapping at 0: a contact at t = 0 if going deeper, nothing if leaving (so that one can get out). Against a
-///   mesh this is judged feature by feature, for each face, edge and vertex that is nearer to the centre than what of
-///   the surface lies around it. A centre on the obstacle itself has no normal of its own: it is against the motion.
+/// - Overlapping at 0: a contact at t = 0 if going deeper, nothing if leaving (so that one can get out).
+///   Against a mesh this is judged feature by feature, for each face, edge and vertex that is nearer to the
+///   centre than what of the surface lies around it. A centre on the obstacle itself has no normal of its
+///   own: it is against the motion.
 /// - No motion: nothing. `overlap(a, b)` answers the static question. A sphere of radius 0 is a point.
-/// - The smallest t wins; of equal t, the face before the edge before the vertex, as the paper orders its tests (2.1).
+/// - The smallest t wins; of equal t, the face before the edge before the vertex, as the paper orders its
+///   tests (2.1).
 /// - Surfaces have two sides unless the caller says otherwise.
 /// - No hit is ever missed for rounding. The error of t has a bound, stated with each sweep.
 /// - Bad shapes and motions are refused when they are made; a sweep itself never throws.
@@ -57,11 +59,12 @@ inline constexpr std::size_t no_triangle = std::numeric_limits<std::size_t>::max
 //! [contact]
 /// The first contact of a sweep.
 struct Contact {
-  double time;                         ///< t in [0, 1] (or in the interval that was asked for)
-  ContactPoints points;                ///< on the obstacle, at that time
-  Vector normal;                       ///< unit, from the obstacle to the mover, at that time
-  Feature feature;                     ///< what of the polyhedron is touched
-  std::size_t triangle = no_triangle;  ///< of a mesh: the touched triangle, the lowest number if several share it
+  double time;           ///< t in [0, 1] (or in the interval that was asked for)
+  ContactPoints points;  ///< on the obstacle, at that time
+  Vector normal;         ///< unit, from the obstacle to the mover, at that time
+  Feature feature;       ///< what of the polyhedron is touched
+  /// Of a mesh: the touched triangle, the lowest number if several share it.
+  std::size_t triangle = no_triangle;
 
   /// The one point of the contact; of an edge or a face, its middle.
   Point point() const { return points.rowwise().mean(); }

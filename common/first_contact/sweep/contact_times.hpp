@@ -41,7 +41,8 @@ std::optional<ContactTimes<Scalar>> textbook_times(const Vector3<Scalar>& w, con
 //! [discriminant]
 /// (w.u)^2 - u^2 (w^2 - d^2) without the cancellation. By Lagrange's identity, (w.u)^2 = w^2 u^2 - |w x u|^2:
 /// what remains is u^2 d^2 - |w x u|^2, that is, u^2 times (d^2 less the square of the distance at the
-/// closest approach). \param moment  w x u, the same for every w on the path.
+/// closest approach).
+/// \param moment w x u, the same for every w on the path.
 template <class Scalar>
 Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Scalar d) {
   return u.squaredNorm() * (d * d) - moment.squaredNorm();
@@ -50,8 +51,8 @@ Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Sca
 
 //! [contact_times]
 /// The same two times by way of the closest approach. No two numbers of equal sign are subtracted: the far
-/// root is the sum, and the near one follows from the product of the roots, c / a. \param moment  w x u, the
-/// same for every w on the path.
+/// root is the sum, and the near one follows from the product of the roots, c / a.
+/// \param moment w x u, the same for every w on the path.
 template <class Scalar>
 std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
                                                   const Vector3<Scalar>& moment, Scalar d) {

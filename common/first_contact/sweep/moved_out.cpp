@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/line_triangle.hpp"
+#include "first_contact/geometry/mesh_edges.hpp"
 #include "first_contact/sweep/first_root.hpp"
 
 namespace first_contact {
@@ -14,9 +16,10 @@ namespace {
 /// A path that halves its distance from the truth in every step has reached it, in double, after this many.
 constexpr int enough_steps = 64;
 
-/// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the time is then
-/// wrong although the hit is not. The distance itself knows no normal, and falls along the path ever more slowly: Newton's
-/// steps lead to r from any time, and never beyond it from an earlier one. In nearly all cases none is needed.
+/// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the
+/// time is then wrong although the hit is not. The distance itself knows no normal, and falls along the path
+/// ever more slowly: Newton's steps lead to r from any time, and never beyond it from an earlier one. In
+/// nearly all cases none is needed.
 std::optional<double> settled(double t, const Moving<Sphere>& moving, const Triangle& triangle,
                               double tolerance) {
   const auto& [center, radius] = moving.shape;
@@ -70,8 +73,7 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
   const double length = e.norm();
   const double tolerance = rounding_of_distance * (m.norm() + length + moving.displacement.norm() + radius);
 
-  // e x turns the plane across the edge by a right angle and stretches it by |e|: the cylinder becomes a
-  // ball.
+  // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
   const auto entry =
       first_root(e.cross(m), e.cross(moving.displacement), length * radius, length * tolerance);
   if (!entry) return std::nullopt;
@@ -98,5 +100,14 @@ std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& ver
   return Touch{entry->time, distance, entry->direction, vertex, Feature::vertex, tolerance};
 }
 //! [touch_vertex]
+
+bool earlier(const Touch& a, const Touch& b) {
+  const auto key = [](const Touch& touch) {
+    return std::make_tuple(touch.time, touch.feature, touch.distance);
+  };
+  if (key(a) != key(b)) return key(a) < key(b);
+  if (a.point != b.point) return comes_before(a.point, b.point);
+  return comes_before(a.normal, b.normal);
+}
 
 }  // namespace first_contact

@@ -25,10 +25,11 @@ struct Touch {
   double tolerance;  ///< how far rounding may have moved the distance
 };
 
-/// By how much a computed distance between a moving sphere and a feature may be wrong, in units of
-/// eps (distance of the centre from the feature's corner + length of the feature + path + r). The distance to
-/// an edge is the worst: a difference, a cross product, the closest approach and the root add up to less than
-/// 8 eps of that; this is twice as much. \see tests/oracle/sphere_triangle_oracle_test.cpp
+/// By how much a computed distance between a moving sphere and a feature may be wrong, in units of eps
+/// (distance of the centre from the feature's corner + length of the feature + path + r). The distance to an
+/// edge is the worst: a difference, a cross product, the closest approach and the root add up to less than 8
+/// eps of that; this is twice as much.
+/// \see tests/oracle/sphere_triangle_oracle_test.cpp
 inline constexpr double rounding_of_distance = 16 * std::numeric_limits<double>::epsilon();
 
 /// The centre meets the face moved out by r, on the side where it starts: t = -(E'.S0) / (N.V), if it arrives
@@ -41,5 +42,9 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
 
 /// The centre enters the sphere of radius r about a vertex.
 std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& vertex);
+
+/// The smallest time wins; of equal times the face before the edge before the vertex, and then what is
+/// nearer. Beyond that any fixed order will do that does not depend on the numbers of the triangles.
+bool earlier(const Touch& a, const Touch& b);
 
 }  // namespace first_contact

@@ -4,15 +4,16 @@
 
 namespace first_contact {
 
-/// First contact of a moving point, a ray of finite length, with a triangle (paper, 3.2.3): where the ray meets the
-/// plane, if that is within the triangle (line_triangle.hpp). The test is watertight: a ray through an edge or a vertex
-/// that triangles share meets at least one of them. The triangle has two sides.
+/// First contact of a moving point, a ray of finite length, with a triangle (paper, 3.2.3): where the ray
+/// meets the plane, if that is within the triangle (line_triangle.hpp). The test is watertight: a ray through
+/// an edge or a vertex that triangles share meets at least one of them. The triangle has two sides.
 ///
-/// A ray is the path of a sphere of radius 0, and is swept as one: the face is moved out by nothing, and the cylinders
-/// and spheres are the edges and the vertices themselves, for the rays that run within the triangle's plane.
+/// A ray is the path of a sphere of radius 0, and is swept as one: the face is moved out by nothing, and the
+/// cylinders and spheres are the edges and the vertices themselves, for the rays that run within the
+/// triangle's plane.
 ///
-/// Error: t is exact for a path that is moved by at most 16 eps L, L being the distance of the point from the corners +
-/// the longest side + |V|.
+/// Error: t is exact for a path that is moved by at most 16 eps L, L being the distance of the point from the
+/// corners + the longest side + |V|.
 std::optional<Contact> sweep(const Moving<Point>& moving, const Triangle& triangle);
 
 }  // namespace first_contact

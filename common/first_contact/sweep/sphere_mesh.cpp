@@ -13,17 +13,6 @@ namespace first_contact {
 
 namespace {
 
-/// The smallest time wins; of equal times the face before the edge before the vertex, and then what is
-/// nearer. Beyond that any fixed order will do that does not depend on the numbers of the triangles.
-bool earlier(const Touch& a, const Touch& b) {
-  const auto key = [](const Touch& touch) {
-    return std::make_tuple(touch.time, touch.feature, touch.distance);
-  };
-  if (key(a) != key(b)) return key(a) < key(b);
-  if (a.point != b.point) return comes_before(a.point, b.point);
-  return comes_before(a.normal, b.normal);
-}
-
 /// A search for the first contact of one sphere among the features of an environment, in whatever order they
 /// come.
 class FirstTouch {
@@ -54,8 +43,12 @@ class FirstTouch {
   std::size_t triangle_ = no_triangle;  // one that has this feature
 };
 
+/// Where triangles overlap in one plane, two of them may be touched all alike: then the lower number wins.
 void FirstTouch::keep(const Touch& touch, const Vertices& vertices, std::size_t triangle) {
-  if (first_ && !earlier(touch, *first_)) return;
+  if (first_ && !earlier(touch, *first_)) {
+    const bool alike = !earlier(*first_, touch);
+    if (!alike || std::tie(triangle, vertices) >= std::tie(triangle_, vertices_)) return;
+  }
   first_ = touch;
   vertices_ = vertices;
   triangle_ = triangle;
@@ -68,7 +61,8 @@ void FirstTouch::face(std::size_t number) {
     keep(*touch, {merged(corners[0]), merged(corners[1]), merged(corners[2])}, number);
 }
 
-/// Where the surface goes straight on, an edge is but a seam of its faces, unless they are too thin to answer for it.
+/// Where the surface goes straight on, an edge is but a seam of its faces, unless they are too thin to answer
+/// for it.
 bool FirstTouch::speaks_for_itself(const MeshEdges::Edge& edge) const {
   const auto sides = environment_.topology().sides(edge);
   return edge.kind != EdgeKind::flat ||

@@ -17,7 +17,8 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Plane& plane) {
   const double distance = plane.signed_distance(center);  // E.S0
   const double toward = plane.normal().dot(moving.displacement);
 
-  // A plane has two sides: work on the one where the centre is. A centre on the plane has none: against the motion.
+  // A plane has two sides: work on the one where the centre is. A centre on the plane has none: against the
+  // motion.
   const double side = distance != 0 ? std::copysign(1.0, distance) : -std::copysign(1.0, toward);
   const Vector normal = side * plane.normal();
   const double gap = std::abs(distance) - radius;  // E'.S0

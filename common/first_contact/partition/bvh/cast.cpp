@@ -1,0 +1,160 @@
+#include "first_contact/partition/bvh/cast.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace first_contact::bvh {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// How much the walk must allow for what the verdict rounds, and for the way into the tree's unit, in terms
+/// of all lengths in play. The verdict's distances are wrong by at most rounding_of_distance of centre to
+/// corner + side + path + r, each at most sqrt 3 or 2 sqrt 3 times its largest coordinate; that is less than
+/// half of this.
+constexpr double error_per_length = 256 * eps;
+
+/// Calls visit(feature) for each feature that was found.
+template <class Visit>
+void each_feature(const Found& found, const Visit& visit) {
+  for (unsigned left = found.features; left != 0; left &= left - 1) visit(std::countr_zero(left));
+}
+double earliest(const Found& found) {
+  double early = 2;
+  each_feature(found, [&](int i) { early = std::min(early, found.early[i]); });
+  return early;
+}
+/// The features that may be touched by a time.
+unsigned by(double time, const Found& found) {
+  unsigned features = 0;
+  each_feature(found, [&](int i) { features |= found.early[i] <= time ? 1u << i : 0u; });
+  return features;
+}
+
+}  // namespace
+
+Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
+    : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(*surface.surface, moving) {
+  const auto& [center, radius] = moving.shape;
+  const Vector& v = moving.displacement;
+  question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius, 1 / v.norm()};
+  near_ = surface.mesh.size() > 0 && !moving.displacement.isZero(0) && enter(moving, surface.space);
+  if (near_) walker_.begin(tree_, walk_);
+}
+
+//! [enter]
+/// Cuts the path down to the part that is near the mesh, in doubles: what the floats see is never far away.
+bool Cast::enter(const Moving<Sphere>& moving, const Space& space) {
+  const Point start = space.point(moving.shape.center);
+  const Vector travel = space.vector(moving.displacement);
+  walk_.radius = space.length(moving.shape.radius);
+  const double offset = space.length(moving.shape.center.cwiseAbs().maxCoeff());
+  walk_.error = error_per_length *
+                (1 + walk_.radius + offset + start.cwiseAbs().maxCoeff() + travel.cwiseAbs().maxCoeff());
+
+  const double reach = (1 + walk_.radius) * (1 + 0x1p-20) + 2 * walk_.error;
+  const bool inside = start.cwiseAbs().maxCoeff() <= reach && (start + travel).cwiseAbs().maxCoeff() <= reach;
+  double from = 0, to = 1;
+  for (Eigen::Index i = 0; i < 3 && !inside; ++i) {
+    if (std::abs(start[i]) > reach && travel[i] == 0) return false;
+    if (travel[i] == 0) continue;
+    const double low = (-reach - start[i]) / travel[i], high = (reach - start[i]) / travel[i];
+    from = std::max(from, std::min(low, high));
+    to = std::min(to, std::max(low, high));
+  }
+  if (from > to) return false;
+  from_ = from;
+  width_ = to - from;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    walk_.start[i] = start[k] + from * travel[k];
+    walk_.travel[i] = width_ * travel[k];
+  }
+  return true;
+}
+//! [enter]
+
+void Cast::note_latest() {
+  const double latest = std::min(verdict_.latest(), hoped_);
+  if (latest > 1) return;
+  const double tau = (latest - from_ + 4 * eps) / width_;
+  if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
+}
+
+//! [consider]
+/// What may be touched at the start is decided at once: of it one may yet get free.
+void Cast::consider(const Place& place, bool at_once) {
+  const Surface& surface = *parts_.surface;
+  const auto& [a, b, c] = place.corner;
+  const double latest = std::min({verdict_.latest(), hoped_, 1.0});
+  const Found found = walker_.features_in_time(
+      question_, surface.position(a).data(), surface.position(b).data(), surface.position(c).data(), latest);
+  if (at_once || found.features == 0) {
+    verdict_.consider(place, found.features);
+  } else {
+    if (postponed_count_ == postponed_.size()) consider_postponed();
+    postponed_[postponed_count_++] = {&place, found, earliest(found)};
+    hoped_ = std::min(hoped_, found.late);
+  }
+  if (found.features != 0) note_latest();
+}
+
+void Cast::consider_postponed() {
+  const auto end = postponed_.begin() + static_cast<std::ptrdiff_t>(postponed_count_);
+  std::sort(postponed_.begin(), end,
+            [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
+  std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
+    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found));
+  });
+  postponed_count_ = 0;
+}
+
+/// Decides about what was postponed. If nothing was touched by the time that was hoped for, begins once more,
+/// without hope.
+bool Cast::done() {
+  consider_postponed();
+  if (!hopeful_ || hoped_ > 1 || verdict_.latest() <= hoped_) return true;
+  hopeful_ = false;
+  hoped_ = 2;
+  verdict_.forget();
+  walker_.begin(tree_, walk_);
+  return false;
+}
+//! [consider]
+
+//! [decide]
+/// The nearest first: often it makes the others too late.
+void Cast::decide() {
+  const Place* places = tree_.places + walk_.leaf->first;
+  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
+    for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
+      __builtin_prefetch(&parts_.surface->position(vertex));
+  for (unsigned left = walk_.survivors; left != 0;) {
+    int nearest = std::countr_zero(left);
+    for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
+      if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
+    if (walk_.bound[nearest] > walk_.latest) return;
+    consider(places[nearest], !hopeful_ || walk_.bound[nearest] <= 0);
+    left &= ~(1u << nearest);
+  }
+}
+//! [decide]
+
+void Cast::run() {
+  if (!near_) return;
+  do
+    while (walker_.next(tree_, walk_) == Stop::survivors) decide();
+  while (!done());
+}
+
+bool Cast::step() {
+  if (!near_) return false;
+  const Stop stop = walker_.step(tree_, walk_);
+  if (stop == Stop::survivors) decide();
+  return stop != Stop::end || !done();
+}
+
+}  // namespace first_contact::bvh

@@ -1,0 +1,83 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+/// \file
+/// What the tree is in memory: wide nodes of three cache lines, and leaves of up to eight triangles.
+///
+/// The idea: a cast waits for memory more than it computes. Eight children to a node make the tree a third as
+/// deep as one of pairs; eight bits to a coordinate make eight boxes fit in one cache line; a leaf stores a
+/// shared vertex once. It equals a binary tree of boxes of doubles (plain_bvh.hpp), whose every box lies
+/// within the box stored here. Measured: 8-bit boxes and shared vertices took a hop on a million triangles
+/// from .28 to .17 of the plain tree.
+///
+/// All lengths are in the tree's own unit (\see space.hpp), in which the mesh lies between -1 and 1, so that
+/// no number here depends on the scale or the place of the mesh.
+///
+/// This header is read by files compiled for different instruction sets: plain data only, no functions.
+
+namespace first_contact::bvh {
+
+/// How many children a node has, triangles a leaf, and lanes a vector of floats.
+inline constexpr int width = 8;
+/// How many different vertices a leaf may have: a vertex number is 4 bits.
+inline constexpr int most_vertices = 16;
+
+/// No path from the root is longer than this many nodes (\see split.cpp), so that this many may wait on a
+/// stack.
+inline constexpr int deepest = 72;
+inline constexpr int most_waiting = (width - 1) * deepest + 1;
+
+/// Names a node or a leaf: its number, with the top bit set for a leaf, which is counted in units of
+/// leaf_unit bytes.
+using Ref = std::uint32_t;
+inline constexpr Ref leaf_bit = 0x80000000u;
+inline constexpr std::uint32_t leaf_unit = 32;
+
+/// A node: up to eight children, each with its box and a slab.
+///
+/// Child j's box is origin + step * low[.][j] ... origin + step * high[.][j], rounded outward; step is a
+/// power of two. Its slab holds all its points x: slab[0][j] <= slab step * n.(x - origin) + offset <=
+/// slab[1][j] (\see pack.cpp).
+struct alignas(64) Node {
+  float origin[3], step[3];
+  std::uint32_t first_node;  ///< its inner children are numbered from here on
+  std::uint32_t first_leaf;  ///< its first leaf
+  std::uint8_t low[3][width], high[3][width];
+  std::uint8_t child[width];  ///< 0..7: inner child; 128 + n: the leaf n units after the first
+  std::uint8_t count;         ///< how many children
+  std::uint8_t unused[7];
+  std::uint32_t leaves_of[width];  ///< the first leaf of an inner child, to be fetched together with it; or 0
+  std::int8_t normal[3][width];    ///< the mean normal of a child, 127 long
+  std::uint16_t slab[2][width];
+};
+static_assert(sizeof(Node) == 192);
+
+/// The head of a leaf; after it x of all its vertices, then y, then z, as floats relative to the leaf's
+/// origin, in the leaf's unit.
+struct LeafHead {
+  std::uint32_t first;  ///< the place of its first triangle
+  std::uint8_t triangles, vertices;
+  std::int16_t
+      exponent;  ///< its unit of length is 2^exponent; no coordinate of a vertex is larger than one unit
+  std::uint32_t corner[3];  ///< corner a, b, c of triangle j: vertex number (corner >> 4 j) & 15
+  float origin[3];
+};
+static_assert(sizeof(LeafHead) == 32);
+
+/// A triangle, as a cast needs it that has come to its leaf: its number in the mesh, and the representatives
+/// of its corners.
+struct Place {
+  std::uint32_t number, corner[3];
+};
+
+/// The whole tree.
+struct Tree {
+  const Node* nodes;
+  const unsigned char* leaves;
+  const Place* places;  ///< of the triangles, in the order of the leaves
+  Ref root;
+  float leaf_size;  ///< the mean size of a leaf
+};
+
+}  // namespace first_contact::bvh

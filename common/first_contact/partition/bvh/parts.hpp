@@ -1,0 +1,35 @@
+#pragma once
+#include "first_contact/partition/bvh.hpp"
+#include "first_contact/partition/bvh/merged.hpp"
+#include "first_contact/partition/bvh/pack.hpp"
+#include "first_contact/partition/bvh/space.hpp"
+#include "first_contact/partition/bvh/surface.hpp"
+#include "first_contact/partition/bvh/walk.hpp"
+
+namespace first_contact {
+
+/// What a Bvh is made of.
+struct Bvh::Parts {
+  explicit Parts(Mesh triangles);
+
+  Mesh mesh;
+  bvh::Space space;
+  bvh::PackedTree packed;
+  std::optional<bvh::Surface> surface;
+
+  bvh::Tree tree() const {
+    return {packed.nodes.data(), packed.leaves.data(), surface->places().data(), packed.root,
+            packed.leaf_size};
+  }
+};
+
+namespace bvh {
+
+/// The walker for the machine that runs this.
+const Walker& best_walker();
+
+/// The sweep with a given walker: for tests, which compare them.
+std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh, const Walker& walker);
+
+}  // namespace bvh
+}  // namespace first_contact

@@ -1,0 +1,77 @@
+#pragma once
+#include "first_contact/partition/bvh/layout.hpp"
+
+/// \file
+/// The way of one cast through the tree, from leaf to leaf, nearest first.
+///
+/// The idea: floats only ever say "certainly not", eight triangles at a time; doubles decide about the few
+/// that are left. So whatever the floats round, the answer is that of the plain sweep, bit for bit, on every
+/// instruction set. A walk can pause after each node, so that many casts may take turns while their memory is
+/// on its way.
+///
+/// This header is read by files compiled for different instruction sets: plain data only, no functions.
+
+namespace first_contact::bvh {
+
+/// A cast in the tree's unit, and how far it has got. Times here, tau, run from 0 to 1 over the part of the
+/// path that is near the mesh.
+struct Walk {
+  // Given to begin():
+  double start[3], travel[3];  ///< the centre's path
+  double radius;
+  double error;  ///< positions, radius and the doubles that decide are wrong by less than this
+
+  // Kept up to date by whoever decides:
+  float latest;  ///< contacts later than this do not matter; rounded up
+
+  // Found by next():
+  const LeafHead* leaf;  ///< this leaf's ...
+  unsigned survivors;    ///< ... triangles with these bits may be touched, ...
+  float bound[width];    ///< ... not before these times
+
+  // The walk's own:
+  float from[3], inverse[3], grown[3];  // rounded start, 1 / travel, and (radius + error) / |travel|
+  float across[3];                      // travel, rounded
+  float slab_slack;  // radius + error for slabs; less than 0: slabs are not worth their time
+  float length;      // of the travel, rounded up
+  int near_row[3];   // 1 where the travel is negative: the path then enters at the high side
+  int waiting;       // entries on the stack
+  struct Entry {
+    Ref ref;
+    float time;
+  } stack[most_waiting];
+};
+
+/// What a walk does next: it has come to a leaf with survivors, or it rests after a node, or it is at its
+/// end.
+enum class Stop { survivors, pause, end };
+
+/// A cast in the unit of the mesh, for the doubles.
+struct Question {
+  double center[3], travel[3], radius;
+  double slowness;  ///< 1 / |travel|
+};
+
+/// What of a triangle may be touched in time.
+struct Found {
+  unsigned features;  ///< one bit each: the face, the edges ab, bc, ca, the vertices a, b, c
+  double early[7];    ///< those with a bit are not touched before
+  double late;  ///< by then the triangle is touched, as far as can be seen; infinite if that is not clear
+};
+
+/// The same code compiled for one instruction set.
+struct Walker {
+  void (*begin)(const Tree&, Walk&);
+  Stop (*next)(const Tree&, Walk&);  ///< goes on to the next leaf with survivors, or to the end
+  Stop (*step)(const Tree&, Walk&);  ///< one node or leaf at most
+  /// What of the triangle abc may be touched in time?
+  Found (*features_in_time)(const Question&, const double* a, const double* b, const double* c,
+                            double latest);
+};
+
+/// Runs everywhere.
+extern const Walker portable_walker;
+/// Needs AVX2 and FMA; without functions where the compiler has none for this kind of processor.
+extern const Walker avx2_walker;
+
+}  // namespace first_contact::bvh

@@ -1,0 +1,43 @@
+// A slice of what ./course verify does a million times.
+#include <array>
+
+#include "catch.hpp"
+#include "first_contact/partition/bvh.hpp"
+#include "verify/judge.hpp"
+#include "verify/surfaces.hpp"
+
+using namespace first_contact;
+
+TEST_CASE("A sphere swept against any surface misses nothing, sees no ghosts, and comes in time, within the bound") {
+  const int kind = GENERATE(range(0, surfaces::kinds));
+  CAPTURE(surfaces::name(kind));
+  std::array<judge::Tally, surfaces::aims> tallies{};
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) judge::verify(seed, kind, 60, tallies.data());
+  for (const judge::Tally& tally : tallies) {
+    CHECK(tally.missed == 0);
+    CHECK(tally.false_hits == 0);
+    CHECK(tally.inexact == 0);
+    CHECK(tally.unlike == 0);
+  }
+}
+
+TEST_CASE("The judge finds fault with a contact that is left out, made up, or moved by a few bounds") {
+  const Mesh floor({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const Moving<Sphere> down{Sphere{{0.1, 0.2, 2}, 1}, {0.5, 0, -2}}, along{Sphere{{0.1, 0.2, 2}, 1}, {2, 0, -0.9}};
+  const auto contact = sweep(down, Bvh(floor));
+  REQUIRE(contact);
+  const auto tally_of = [&](const Moving<Sphere>& moving, const std::optional<Contact>& answer) {
+    judge::Tally tally;
+    judge::add(tally, floor, moving, answer);
+    return tally;
+  };
+  CHECK(tally_of(down, contact).good());
+  CHECK(tally_of(along, std::nullopt).good());
+  CHECK(tally_of(down, std::nullopt).missed == 1);
+  CHECK(tally_of(along, contact).false_hits == 1);
+  Contact early = *contact, late = *contact;
+  early.time -= 1e-13;
+  late.time += 1e-13;
+  CHECK(tally_of(down, early).inexact == 1);
+  CHECK(tally_of(down, late).inexact == 1);
+}
