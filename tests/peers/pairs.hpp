@@ -35,7 +35,8 @@ inline Balls balls(std::size_t count, unsigned seed, double side = 6) {
   return all;
 }
 
-/// As many as wished, at one density: radii from 0.1 to 0.3, motions of up to 1, one sphere in a cube of side 1.
+/// As many as wished, at one density: radii from 0.1 to 0.3, motions of up to 1, one sphere in a cube of side
+/// 1.
 inline Balls crowd(std::size_t count) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> radius(0.1, 0.3);

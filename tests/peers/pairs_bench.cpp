@@ -1,5 +1,5 @@
-// Moving spheres in batches and in crowds: times, and the errors beside them. A batch is measured against the time that
-// the memory alone takes, in turns with it, as other programs may be running.
+// Moving spheres in batches and in crowds: times, and the errors beside them. A batch is measured against the
+// time that the memory alone takes, in turns with it, as other programs may be running.
 
 #include <algorithm>
 #include <functional>
@@ -47,7 +47,8 @@ std::array<const double*, sizeof...(Part)> all_of(MovingColumns& columns, std::i
   return {columns.column(Part).data()...};
 }
 
-/// Measures in turns with the floor, and reports nanoseconds for each of `count`, and what part of the floor's they are.
+/// Measures in turns with the floor, and reports nanoseconds for each of `count`, and what part of the
+/// floor's they are.
 void against_floor(benchmark::State& state, std::size_t count, const std::function<void()>& floor,
                    const std::function<void()>& subject) {
   std::vector<double> floors, subjects;
@@ -89,14 +90,13 @@ void one_sphere_after_the_other(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const Balls p = pairs::balls(count, 1), q = pairs::balls(count, 2);
   std::vector<double> times(count);
-  const auto all = [&] {
+  const double ns = pairs::measure(state, [&] {
     for (std::size_t i = 0; i < count; ++i) {
       const auto contact = sweep(p[i], q[i]);
       times[i] = contact ? contact->time : no_contact;
     }
-  };
-  against_floor(
-      state, count, [] {}, all);
+  });
+  state.counters["ns"] = ns / static_cast<double>(count);
   pairs::Errors errors;
   for (std::size_t i = 0; i < count; ++i) errors.count(times[i], pairs::truth(p[i], q[i]));
   errors.tell(state);

@@ -1,4 +1,5 @@
-// The same with Bullet: btSubsimplexConvexCast for two spheres, and btDbvt as the broad phase about the same sweep.
+// The same with Bullet: btSubsimplexConvexCast for two spheres, and btDbvt as the broad phase about the same
+// sweep.
 
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
@@ -50,7 +51,7 @@ struct Pairs : btDbvt::ICollide {
   void Process(const btDbvtNode* a, const btDbvtNode* b) override {
     if (a == b) return;
     const auto [i, j] =
-        std::minmax(static_cast<std::size_t>(a->dataAsInt), static_cast<std::size_t>(b->dataAsInt));
+        std::minmax({static_cast<std::size_t>(a->dataAsInt), static_cast<std::size_t>(b->dataAsInt)});
     ++sweeps;
     if (sweep(balls[i], balls[j])) ++contacts;
   }
