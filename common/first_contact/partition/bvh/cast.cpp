@@ -86,13 +86,14 @@ void Cast::note_latest() {
 
 //! [consider]
 /// What may be touched at the start is decided at once: of it one may yet get free.
-void Cast::consider(const Place& place, bool at_once) {
+void Cast::consider(const Place& place, bool overlapping) {
   const Surface& surface = *parts_.surface;
   const auto& [a, b, c] = place.corner;
   const double latest = std::min({verdict_.latest(), hoped_, 1.0});
-  const Found found = walker_.features_in_time(
-      question_, surface.position(a).data(), surface.position(b).data(), surface.position(c).data(), latest);
-  if (at_once || found.features == 0) {
+  const Found found =
+      walker_.features_in_time(question_, surface.position(a).data(), surface.position(b).data(),
+                               surface.position(c).data(), latest, overlapping);
+  if (overlapping || !hopeful_ || found.features == 0) {
     verdict_.consider(place, found.features);
   } else {
     if (postponed_count_ == postponed_.size()) consider_postponed();
@@ -137,7 +138,7 @@ void Cast::decide() {
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
-    consider(places[nearest], !hopeful_ || walk_.bound[nearest] <= 0);
+    consider(places[nearest], walk_.bound[nearest] <= 0);
     left &= ~(1u << nearest);
   }
 }

@@ -64,9 +64,9 @@ struct Walker {
   void (*begin)(const Tree&, Walk&);
   Stop (*next)(const Tree&, Walk&);  ///< goes on to the next leaf with survivors, or to the end
   Stop (*step)(const Tree&, Walk&);  ///< one node or leaf at most
-  /// What of the triangle abc may be touched in time?
-  Found (*features_in_time)(const Question&, const double* a, const double* b, const double* c,
-                            double latest);
+  /// What of the triangle abc may be touched in time? It may be that it overlaps the sphere at the start.
+  Found (*features_in_time)(const Question&, const double* a, const double* b, const double* c, double latest,
+                            bool overlapping);
 };
 
 /// Runs everywhere.
