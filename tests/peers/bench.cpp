@@ -146,6 +146,7 @@ void draw(const figure::Studio& studio, const char* name, const char* label, con
     for (const Row& row : rows)
       if (row.way == ways[i] && value(row) > 0)
         table.push_back({static_cast<double>(row.triangles), value(row)});
+    if (table.empty()) continue;  // each way keeps its colour in all figures
     const std::string block = "way" + std::to_string(i);
     chart.data(block, table);
     plot += (i ? ", \\\n  $" : "$") + block + " with linespoints lw 2.2 pt 7 ps 0.5 lc rgb " +

@@ -16,6 +16,12 @@ namespace first_contact {
 /// works is told in bvh/layout.hpp (memory), bvh/split.hpp, bvh/collapse.hpp and bvh/pack.hpp (building),
 /// bvh/walk.hpp, bvh/node_test.inc and bvh/leaf_bound.inc (casting, eight triangles at once), and
 /// bvh/verdict.hpp (deciding).
+///
+/// Measured on terrains of 2,000 to 1,000,000 triangles (./course bench): .28 to .57 of the time of a plain
+/// tree with the sweep of a textbook, which finds a time and no more. Half of it is spent on deciding, that
+/// is on what the textbook leaves out: which feature is touched, whether something of the surface around it
+/// is nearer, and, where the sphere overlaps the surface at the start, whether it goes deeper into any of its
+/// features. The same walk that decides about the time alone takes .14 to .29.
 class Bvh {
  public:
   /// Builds the tree, on all processors. At most 2^28 triangles.
