@@ -33,7 +33,7 @@ set rmargin at screen 0.96
 set format x "10^{%.0f}"
 set multiplot
 set tmargin at screen 0.935
-set bmargin at screen 0.565
+set bmargin at screen 0.58
 set xrange [0:10]
 set xtics 0, 2 font ",14"
 set yrange [-17:0]
@@ -44,14 +44,14 @@ set label 2 book_s at 3.2, -2.2 right font ",15" tc rgb PINK
 set label 3 stable_s at 6.3, -6.2 right font ",15" tc rgb GREEN
 set label 4 book_d at 5.2, -9.5 right font ",15" tc rgb PINK
 set label 5 stable_d at 6.3, -14.4 left font ",15" tc rgb GREEN
-set xlabel distance font ",16" offset 0, 0.4
+set xlabel distance font ",16" offset 0, 0.6
 plot $book_single using 1:2 with lines lc rgb PINK lw 2.2 dt (8,5), \
  $stable_single using 1:2 with lines lc rgb GREEN lw 2.2 dt (8,5), \
  $book_double using 1:2 with lines lc rgb PINK lw 2.2, \
  $stable_double using 1:2 with lines lc rgb GREEN lw 2.2
 unset label
 set tmargin at screen 0.405
-set bmargin at screen 0.11
+set bmargin at screen 0.125
 set xrange [-6:6]
 set xtics -6, 2 font ",14"
 set yrange [-2:60]
@@ -62,7 +62,7 @@ set label 2 determinant at -5.8, 55 left font ",15" tc rgb ORANGE
 set label 3 areas_s at 1.6, 36 left font ",15" tc rgb PINK
 set label 4 areas_d at 5.05, 14 right font ",15" tc rgb PINK
 set label 5 none at -0.45, 5 center font ",15" tc rgb GREEN
-set xlabel size font ",16" offset 0, 0.4
+set xlabel size font ",16" offset 0, 0.6
 plot $determinant using 1:2 with lines lc rgb ORANGE lw 2.2, \
  $areas_single using 1:2 with lines lc rgb PINK lw 2.2 dt (8,5), \
  $areas_double using 1:2 with lines lc rgb PINK lw 2.2, \

@@ -7,6 +7,7 @@
 #include "first_contact/figure/scene.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "jaw.hpp"
 #include "rounded.hpp"
 #include "scenes.hpp"
 
@@ -290,5 +291,6 @@ void draw_general_sphere_figures(const program::Program& program, const Environm
   draw_minkowski_sum(studio);
   draw_ray(studio);
   draw_bunny(program);
+  jaw::draw(program);
   draw_sweep(studio, environment, moving, contact);
 }

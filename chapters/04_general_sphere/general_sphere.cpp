@@ -11,9 +11,11 @@
 #include "figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "jaw.hpp"
 #include "scenes.hpp"
 
 using namespace first_contact;
@@ -222,6 +224,8 @@ int main(int argc, char** argv) {
     tell_corrections(program.report(), moving, environment, contact);
     tell_order(program.report());
     tell_ray(program.report());
+    jaw::tell(program);
+    if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
     program.json() = results(moving, contact);
     note_features(program, environment);
     note_faults(program, environment, moving);

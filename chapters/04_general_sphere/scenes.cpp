@@ -58,6 +58,7 @@ std::optional<double> time_of_printed_cylinder(const Moving<Sphere>& moving, con
   const Vector n = environment.facet(sides[0].face).unit_normal(),
                m = environment.facet(sides[1].face).unit_normal();
   const Vector out = moving.shape.radius / (1 + n.dot(m)) * (n + m);  // to where both moved-out faces meet
+  if (!out.allFinite()) return std::nullopt;  // faces folded onto each other: they meet nowhere
   const auto& vertices = environment.mesh().vertices();
   const Point a = vertices[edge.vertices[0]] + out, b = vertices[edge.vertices[1]] + out;
   const auto contact = sweep(moving, Triangle{a, b, b});  // a triangle without width is a segment

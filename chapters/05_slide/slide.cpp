@@ -6,6 +6,7 @@
 
 #include "figures.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
@@ -212,6 +213,7 @@ int main(int argc, char** argv) {
     tell_second_wall(report, corner, into_corner,
                      {"A third wall: the sphere stops in the corner", "第三面牆：停在角落"});
     tell_gap(report);
+    if (program.given("--mesh")) tell_defects(report, environment.mesh());
     program.json() = results(path);
     note_wall(program, environment, ball, path);
     note_second_wall(program, "crease", crease, into_crease);

@@ -21,8 +21,8 @@ Vector vector(std::mt19937& random, double size) {
 }
 
 //! [one_axis]
-// Sort all motions by where they begin along x: each need only be tested against those that begin before it ends. In
-// space, what overlaps along x is a whole slice: of n spheres, some n^(2/3).
+// Sort all motions by where they begin along x: each need only be tested against those that begin before it
+// ends. In space, what overlaps along x is a whole slice: of n spheres, some n^(2/3).
 std::size_t pairs_along_one_axis(const std::vector<Moving<Sphere>>& spheres) {
   std::vector<double> begins, ends;
   for (const auto& sphere : spheres) {

@@ -155,9 +155,9 @@ do for [c = 0:1] {
   unset label
 
   set tmargin at screen 0.315
-  set bmargin at screen 0.085
+  set bmargin at screen 0.105
   set xtics ("8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
-  set xlabel (c == 0 ? objects : "") font ",16" offset 0, 0.4
+  set xlabel (c == 0 ? objects : "") font ",16" offset 0, 0.6 textcolor rgb INK
   set yrange [0:14]
   set ytics ("1" 0, "8" 3, "64" 6, "512" 9, "4096" 12) font ",14"
   if (c == 1) { set ytics ("" 0, "" 3, "" 6, "" 9, "" 12) }

@@ -1,5 +1,6 @@
 #include "first_contact/sweep/batch.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include "catch.hpp"
@@ -17,11 +18,11 @@ namespace {
 using Balls = std::vector<Moving<Sphere>>;
 using Boxes = std::vector<Moving<Box>>;
 
-/// Every kind of processor that this program can stand for.
+/// Those for every kind of processor that this one can stand for.
 std::vector<batch::Loops> all_loops() {
-  std::vector<batch::Loops> all{batch::portable_loops};
-  if (batch::best_loops().sphere_sphere != batch::portable_loops.sphere_sphere)
-    all.push_back(batch::best_loops());
+  std::vector<batch::Loops> all;
+  for (const batch::Loops* loops : {&batch::portable_loops, &batch::avx2_loops, &batch::avx512_loops})
+    if (batch::can_run(*loops)) all.push_back(*loops);
   return all;
 }
 
@@ -141,17 +142,39 @@ TEST_CASE("A batch gives the same times on every kind of processor, whatever its
     };
     return batch::Spheres{vectors(s.center()), s.radius().data(), vectors(s.displacement())};
   };
+  const Plane plane({1, 2, 2}, 1);
+  const batch::FlatPlane numbers{plane.normal().x(), plane.normal().y(), plane.normal().z(), plane.offset()};
   for (const batch::Loops& loops : all_loops()) {
     std::vector<double> times(count + 1, -1);  // one more than is written
     loops.sphere_sphere(flat(p_columns.spheres()), flat(q_columns.spheres()), count, times.data());
     for (std::size_t i = 0; i < count; ++i) REQUIRE(times[i] == plain_time(p[i], q[i]));
     CHECK(times[count] == -1);
-    const Plane plane({1, 2, 2}, 1);
-    const batch::FlatPlane numbers{plane.normal().x(), plane.normal().y(), plane.normal().z(),
-                                   plane.offset()};
     loops.sphere_plane(flat(p_columns.spheres()), numbers, count, times.data());
     for (std::size_t i = 0; i < count; ++i) REQUIRE(times[i] == plain_time(p[i], plane));
     CHECK(times[count] == -1);
+  }
+}
+
+TEST_CASE("A batch gives the same times wherever its columns begin in a page of the memory", "[batch]") {
+  const std::size_t step = GENERATE(0, 1, 8, 36, 512);  // doubles; a page holds 512
+  const Balls p = balls(11, 1), q = balls(12, 1);
+  constexpr std::size_t count = 1003, room = 2048;
+  MovingColumns p_columns(Balls(p.begin(), p.begin() + count)),
+      q_columns(Balls(q.begin(), q.begin() + count));
+  std::vector<double> memory(15 * (room + step));
+  std::array<double*, 15> columns;
+  for (std::size_t k = 0; k < 15; ++k) {
+    columns[k] = memory.data() + k * (room + step);
+    if (k < 14) std::ranges::copy((k < 7 ? p_columns : q_columns).column(k % 7), columns[k]);
+  }
+  const auto spheres = [&](std::size_t k) {
+    return batch::Spheres{{columns[k], columns[k + 1], columns[k + 2]},
+                          columns[k + 3],
+                          {columns[k + 4], columns[k + 5], columns[k + 6]}};
+  };
+  for (const batch::Loops& loops : all_loops()) {
+    loops.sphere_sphere(spheres(0), spheres(7), count, columns[14]);
+    for (std::size_t i = 0; i < count; ++i) REQUIRE(columns[14][i] == plain_time(p[i], q[i]));
   }
 }
 

@@ -69,14 +69,21 @@ Moving<Box> MovingBoxes::operator[](std::size_t i) const {
 
 namespace batch {
 
-const Loops& best_loops() {
+bool can_run(const Loops& loops) {
+  if (loops.sphere_sphere == nullptr) return false;
 #if defined(__x86_64__) || defined(__i386__)
-  static const bool has_avx2 =
-      avx2_loops.sphere_sphere != nullptr && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return has_avx2 ? avx2_loops : portable_loops;
-#else
-  return portable_loops;
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (&loops == &avx2_loops) return avx2;
+  if (&loops == &avx512_loops) return avx2 && __builtin_cpu_supports("avx512f");
 #endif
+  return true;
+}
+
+const Loops& best_loops() {
+  static const Loops& best = can_run(avx512_loops) ? avx512_loops
+                             : can_run(avx2_loops) ? avx2_loops
+                                                   : portable_loops;
+  return best;
 }
 
 }  // namespace batch

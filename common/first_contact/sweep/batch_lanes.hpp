@@ -4,15 +4,15 @@
 #endif
 
 /// \file
-/// Four doubles that are added, compared and chosen from as one, where the processor can; and one double, by
-/// the same names.
+/// Four or eight doubles that are added, compared and chosen from as one, where the processor can; and one
+/// double, by the same names.
 ///
 /// The compiler's vector types know + - * / and the comparisons; what they have no sign for is written here.
-/// Each operation is rounded once, as IEEE 754 has it, whichever of the two types it is for: so the results
-/// are equal.
+/// Each operation is rounded once, as IEEE 754 has it, whichever of the types it is for: so the results are
+/// equal.
 ///
-/// All has internal linkage, and nothing of the standard library is used: what is compiled for AVX2 must not
-/// be taken by the linker for what runs everywhere.
+/// All has internal linkage, and nothing of the standard library is used: what is compiled for one kind of
+/// processor must not be taken by the linker for what runs everywhere.
 
 namespace first_contact::batch {
 namespace {
@@ -26,31 +26,45 @@ inline double magnitude(double a) { return __builtin_fabs(a); }
 /// 1 with the sign of a.
 inline double sign(double a) { return __builtin_copysign(1.0, a); }
 inline double choose(bool which, double yes, double no) { return which ? yes : no; }
+inline bool any(bool which) { return which; }
 
-#if defined(__AVX2__) && defined(__FMA__)
+#if defined(__AVX512F__)
+typedef double Doubles __attribute__((vector_size(64)));
+using Longs = decltype(Doubles{} < Doubles{});
 
+inline Doubles read(const double* from, Doubles) { return (Doubles)_mm512_loadu_pd(from); }
+inline void write(double* to, Doubles a) { _mm512_storeu_pd(to, (__m512d)a); }
+inline Doubles all(double a, Doubles) { return (Doubles)_mm512_set1_pd(a); }
+inline Doubles fused(Doubles a, Doubles b, Doubles c) {
+  return (Doubles)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+}
+// The plain _mm512_sqrt_pd of g++ 12 warns of itself.
+inline Doubles root(Doubles a) { return (Doubles)_mm512_maskz_sqrt_pd(0xff, (__m512d)a); }
+inline bool any(Longs which) { return _mm512_test_epi64_mask((__m512i)which, (__m512i)which) != 0; }
+using Widest = Doubles;
+
+#elif defined(__AVX2__) && defined(__FMA__)
 typedef double Doubles __attribute__((vector_size(32)));
-typedef long long Longs __attribute__((vector_size(32)));
+using Longs = decltype(Doubles{} < Doubles{});
 
 inline Doubles read(const double* from, Doubles) { return (Doubles)_mm256_loadu_pd(from); }
 inline void write(double* to, Doubles a) { _mm256_storeu_pd(to, (__m256d)a); }
-inline Doubles all(double a, Doubles) { return Doubles{a, a, a, a}; }
+inline Doubles all(double a, Doubles) { return (Doubles)_mm256_set1_pd(a); }
 inline Doubles fused(Doubles a, Doubles b, Doubles c) {
   return (Doubles)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
 }
 inline Doubles root(Doubles a) { return (Doubles)_mm256_sqrt_pd((__m256d)a); }
-inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
-inline Doubles sign(Doubles a) {
-  const Doubles one = all(1.0, a);
-  return (Doubles)((Longs)one | ((Longs)a ^ (Longs)magnitude(a)));
-}
-inline Doubles choose(Longs which, Doubles yes, Doubles no) {
-  return (Doubles)_mm256_blendv_pd((__m256d)no, (__m256d)yes, (__m256d)which);
-}
+inline bool any(Longs which) { return !_mm256_testz_si256((__m256i)which, (__m256i)which); }
 using Widest = Doubles;
 
 #else
 using Widest = double;
+#endif
+
+#if defined(__AVX2__) && defined(__FMA__)
+inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
+inline Doubles sign(Doubles a) { return (Doubles)((Longs)all(1.0, a) | ((Longs)a ^ (Longs)magnitude(a))); }
+inline Doubles choose(Longs which, Doubles yes, Doubles no) { return which ? yes : no; }
 #endif
 
 /// How many doubles are taken at once.

@@ -43,7 +43,12 @@ struct Loops {
 extern const Loops portable_loops;
 /// Needs AVX2 and FMA; empty where the compiler does not know them.
 extern const Loops avx2_loops;
-/// The fastest that this processor has.
+/// Needs AVX-512 as well; empty where the compiler does not know it.
+extern const Loops avx512_loops;
+
+/// Does this processor have what they need?
+bool can_run(const Loops& loops);
+/// The fastest that it can run.
 const Loops& best_loops();
 
 }  // namespace first_contact::batch
