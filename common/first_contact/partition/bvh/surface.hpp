@@ -17,7 +17,7 @@ namespace first_contact::bvh {
 /// of this is in a few lines of memory next to each other, however a file has it. It equals
 /// MeshEdges::faces_at, from which the edges at a vertex can be had in no time: what an Environment works out
 /// beforehand for each edge and vertex, a cast needs only for the one that it touches. Measured: a hop on a
-/// million triangles from .59 to .50 of the plain tree; made in .1 s where MeshEdges takes 2 s.
+/// million triangles from .59 to .50 of the plain tree.
 class Surface {
  public:
   /// \param order  the numbers of the triangles, in the order of the tree
