@@ -58,8 +58,8 @@ Depth depth_of_objects(const first_contact::BoxTree& tree);
 /// log_8 k; 0 for k < 1.
 double log8(std::size_t k);
 
-/// Of the pairs of boxes that overlap, those that share a leaf of an octree: all that a search finds that goes down
-/// into one child only.
+/// Of the pairs of boxes that overlap, those that share a leaf of an octree: all that a search finds that
+/// goes down into one child only.
 struct Pairs {
   std::size_t all, in_one_leaf;
 };

@@ -172,7 +172,8 @@ void note_costs(Program& program, const Costs& costs, const std::vector<Triangle
   const auto note = [&](const std::string& name, const Cost& cost) {
     program.value(name + ".per_flight", cost.per_flight(cost.tests));
     program.value(name + ".looked_at", cost.per_flight(cost.looked_at));
-    program.value(name + ".work", static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(costs.objects)));
+    program.value(name + ".work",
+                  static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(costs.objects)));
     program.value(name + ".times_fewer",
                   costs.brute_force.per_flight(costs.brute_force.tests) / cost.per_flight(cost.tests));
   };

@@ -18,8 +18,9 @@ struct Accuracy {
 };
 
 /// A ball is flung at the middle of an edge, two radii long, from 10^(1/2), 10, 10^(3/2) ... radii away, up
-/// to 10^10 or as far as the precision can tell neighbouring places apart. It is aimed up to 0.9 r beside the edge:
-/// all should hit. The truth for each is computed on the same numbers with twice the digits of a double.
+/// to 10^10 or as far as the precision can tell neighbouring places apart. It is aimed up to 0.9 r beside the
+/// edge: all should hit. The truth for each is computed on the same numbers with twice the digits of a
+/// double.
 template <class Scalar>
 std::vector<Accuracy> accuracy_at_an_edge(EdgeFormula formula);
 

@@ -154,7 +154,8 @@ void draw_printed_cylinder(const program::Program& program) {
   finish(program.studio(), "printed-cylinder", scene);
 }
 
-// The paper's order, taken literally: the floor comes first in the list, and the ball is let through the step above it.
+// The paper's order, taken literally: the floor comes first in the list, and the ball is let through the step
+// above it.
 void draw_order(const program::Program& program) {
   figure::Scene scene(from_above);
   const double r = 0.5;

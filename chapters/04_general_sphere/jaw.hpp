@@ -2,8 +2,8 @@
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/turning_mesh.hpp"
 
-/// The question of the paper's figure 16 (3.2.4): a jaw opens; does its coronoid process, the spur in front of
-/// the joint, touch the cheek bone?
+/// The question of the paper's figure 16 (3.2.4): a jaw opens; does its coronoid process, the spur in front
+/// of the joint, touch the cheek bone?
 namespace jaw {
 
 /// How high the coronoid process stands above the hinge: as it should, and grown too long.

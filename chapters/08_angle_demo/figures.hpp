@@ -5,8 +5,8 @@
 /// Two unit discs, one at rest, the other aimed one radius beside its centre: they meet at 30 degrees.
 Encounter aimed_beside();
 
-/// Two unit discs that touch, each moving aslant, with restitution 1/2: only what is along the line of centres
-/// may change.
+/// Two unit discs that touch, each moving aslant, with restitution 1/2: only what is along the line of
+/// centres may change.
 Encounter soft_and_aslant();
 
 /// Before and after of the paper's four cases, its fourth case to scale, and where the normal is taken.

@@ -8,7 +8,8 @@
 
 using namespace first_contact;
 
-TEST_CASE("A sphere swept against any surface misses nothing, sees no ghosts, and comes in time, within the bound") {
+TEST_CASE(
+    "A sphere swept against any surface misses nothing, sees no ghosts, and is in time, within the bound") {
   const int kind = GENERATE(range(0, surfaces::kinds));
   CAPTURE(surfaces::name(kind));
   std::array<judge::Tally, surfaces::aims> tallies{};
@@ -23,7 +24,8 @@ TEST_CASE("A sphere swept against any surface misses nothing, sees no ghosts, an
 
 TEST_CASE("The judge finds fault with a contact that is left out, made up, or moved by a few bounds") {
   const Mesh floor({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}});
-  const Moving<Sphere> down{Sphere{{0.1, 0.2, 2}, 1}, {0.5, 0, -2}}, along{Sphere{{0.1, 0.2, 2}, 1}, {2, 0, -0.9}};
+  const Moving<Sphere> down{Sphere{{0.1, 0.2, 2}, 1}, {0.5, 0, -2}},
+      along{Sphere{{0.1, 0.2, 2}, 1}, {2, 0, -0.9}};
   const auto contact = sweep(down, Bvh(floor));
   REQUIRE(contact);
   const auto tally_of = [&](const Moving<Sphere>& moving, const std::optional<Contact>& answer) {

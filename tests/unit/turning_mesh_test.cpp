@@ -78,7 +78,7 @@ TEST_CASE("A turn in a scene scaled by a power of two has the same time, bit by 
     CHECK(turn(scaled(bar, factor), scaled(wall(1), factor), 2)->time == time);
 }
 
-TEST_CASE("The first contact of a turn agrees with dense sampling and bisection") {
+TEST_CASE("Before the first contact of a turn dense sampling finds none, and at it the gap is closed") {
   for (int seed = 0; seed < 40; ++seed) {
     std::srand(static_cast<unsigned>(seed));
     const auto triangle = [](double away) {

@@ -6,8 +6,8 @@
 
 namespace first_contact {
 
-/// What is wrong with a mesh. None of it keeps a sweep from being right; but it tells of a fault in the program
-/// that made the mesh.
+/// What is wrong with a mesh. None of it keeps a sweep from being right; but it tells of a fault in the
+/// program that made the mesh.
 struct MeshDefects {
   std::size_t degenerate = 0;    ///< triangles without an area
   std::size_t duplicate = 0;     ///< triangles that have the very corners of one before them, in any order
@@ -22,8 +22,8 @@ struct MeshDefects {
 /// \see MeshEdges::flat_tolerance
 inline constexpr double degenerate_tolerance = 8 * std::numeric_limits<double>::epsilon();
 
-/// Counts what is wrong with a mesh, in O(n log n). Vertices at the very same position are one vertex, whatever
-/// their numbers. Nothing is refused.
+/// Counts what is wrong with a mesh, in O(n log n). Vertices at the very same position are one vertex,
+/// whatever their numbers. Nothing is refused.
 MeshDefects diagnose(const Mesh& mesh);
 
 }  // namespace first_contact

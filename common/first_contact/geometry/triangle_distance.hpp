@@ -14,8 +14,8 @@ struct NearestPoints {
   double distance() const { return (second - first).norm(); }
 };
 
-/// The nearest points of the segments ab and cd (Ericson, Real-Time Collision Detection, 5.1.9). Either may be
-/// a point.
+/// The nearest points of the segments ab and cd (Ericson, Real-Time Collision Detection, 5.1.9). Either may
+/// be a point.
 NearestPoints nearest_points(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// The nearest points of two triangles; where they cross, a point that both have. Unless they cross, an edge

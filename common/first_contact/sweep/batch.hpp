@@ -17,7 +17,8 @@
 /// rest of a contact is found by the plain version, for those few that have one:
 /// `if (times[i] <= 1) sweep(p[i], q[i])`.
 ///
-/// A batch waits for the memory more than for the arithmetic. \see tests/peers/pairs_bench.cpp
+/// A batch waits for the memory more than for the arithmetic.
+/// \see tests/peers/pairs_bench.cpp
 
 namespace first_contact {
 
@@ -40,7 +41,8 @@ class MovingSpheres {
 
   /// How many.
   std::size_t size() const { return radius_.size(); }
-  /// One of them. \throws std::invalid_argument as the constructor
+  /// One of them.
+  /// \throws std::invalid_argument as the constructor
   Moving<Sphere> operator[](std::size_t i) const;
 
   /// S at t = 0.
@@ -68,7 +70,8 @@ class MovingBoxes {
 
   /// How many.
   std::size_t size() const { return center_[0].size(); }
-  /// One of them. \throws std::invalid_argument as the constructor
+  /// One of them.
+  /// \throws std::invalid_argument as the constructor
   Moving<Box> operator[](std::size_t i) const;
 
   /// Q at t = 0.

@@ -42,12 +42,12 @@ inline constexpr double turning_gap = 0x1p-24;
 
 /// The first contact of a mesh that turns, found by conservative advancement: when two triangles are d apart
 /// and no point of the first is farther than R from the axis, they cannot meet before the angle d / R. So we
-/// turn by the least of these angles, measure again, and stop when a distance is within `turning_gap`. Nothing
-/// is ever passed over.
+/// turn by the least of these angles, measure again, and stop when a distance is within `turning_gap`.
+/// Nothing is ever passed over.
 ///
 /// The time is never later than the true one but for rounding, and earlier by what the part needs to come
-/// nearer by the gap. A mover that is that near at t = 0 is in contact at t = 0, wherever it turns. The normal
-/// points from the obstacle to the mover; if they cross, against the motion.
+/// nearer by the gap. A mover that is that near at t = 0 is in contact at t = 0, wherever it turns. The
+/// normal points from the obstacle to the mover; if they cross, against the motion.
 std::optional<Contact> sweep(const Turning<Mesh>& turning, const Mesh& obstacle);
 
 /// The mesh when it has turned for a time t in [0, 1].
