@@ -62,6 +62,41 @@ void PlainBvh::grow(std::vector<Box>& boxes, std::uint32_t number) {
 }
 
 //! [cut_plain_bvh]
+/// Between which bins of an axis a node is cut, and the work to expect then.
+struct PlainBvh::Cut {
+  double cost = infinite;
+  Eigen::Index axis = 0;
+  std::size_t bin = 0;
+};
+
+/// What lies in each of the bins along an axis.
+struct PlainBvh::Bins {
+  std::array<Box, bins> box;
+  std::array<double, bins> count{};
+
+  void add(std::size_t bin, const Box& more) {
+    box[bin].add(more);
+    ++count[bin];
+  }
+
+  /// Is there a better cut along this axis? Costs from above first, then, from below, the sums.
+  void improve(Cut& best, Eigen::Index axis) const {
+    std::array<double, bins> cost_above{};
+    const auto scan = [&](Box& sum, double& n, std::size_t bin) {
+      sum.add(box[bin]);
+      n += count[bin];
+      return n > 0 ? n * sum.surface() : infinite;
+    };
+    Box above, below;
+    double n_above = 0, n_below = 0;
+    for (std::size_t i = bins - 1; i > 0; --i) cost_above[i] = scan(above, n_above, i);
+    for (std::size_t i = 0; i + 1 < bins; ++i) {
+      const double cost = scan(below, n_below, i) + cost_above[i + 1];
+      if (cost < best.cost) best = {cost, axis, i};
+    }
+  }
+};
+
 /// Orders the triangles of a node so that the first ones, whose number it gives, are on one side of the best
 /// of 15 cuts along each axis. The chance that a path through the node meets a part of it is about the ratio
 /// of their surfaces; so surface times number of triangles, of both sides, is the work to expect (the surface
@@ -79,36 +114,16 @@ std::uint32_t PlainBvh::cut(const std::vector<Box>& boxes, const Node& node) {
     return std::min(static_cast<std::size_t>(part * bins), bins - 1);
   };
 
-  double least_cost = infinite;
-  Eigen::Index best_axis = 0;
-  std::size_t best_bin = 0;
+  Cut best;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     if (!(extent[axis] > 0)) continue;
-    std::array<Box, bins> box;
-    std::array<double, bins> count{}, cost_above{};
-    for (auto i = begin; i != end; ++i) {
-      box[bin_of(*i, axis)].add(boxes[*i]);
-      ++count[bin_of(*i, axis)];
-    }
-    const auto scan = [&](Box& sum, double& n, std::size_t bin) {
-      sum.add(box[bin]);
-      n += count[bin];
-      return n > 0 ? n * sum.surface() : infinite;
-    };
-    Box above, below;
-    double n_above = 0, n_below = 0;
-    for (std::size_t i = bins - 1; i > 0; --i) cost_above[i] = scan(above, n_above, i);
-    for (std::size_t i = 0; i + 1 < bins; ++i) {
-      const double cost = scan(below, n_below, i) + cost_above[i + 1];
-      if (!(cost < least_cost)) continue;
-      least_cost = cost;
-      best_axis = axis;
-      best_bin = i;
-    }
+    Bins filled;
+    for (auto i = begin; i != end; ++i) filled.add(bin_of(*i, axis), boxes[*i]);
+    filled.improve(best, axis);
   }
-  if (least_cost == infinite) return node.count / 2;  // all in one place
+  if (best.cost == infinite) return node.count / 2;  // all in one place
   const auto above =
-      std::partition(begin, end, [&](std::uint32_t i) { return bin_of(i, best_axis) <= best_bin; });
+      std::partition(begin, end, [&](std::uint32_t i) { return bin_of(i, best.axis) <= best.bin; });
   return static_cast<std::uint32_t>(above - begin);
 }
 //! [cut_plain_bvh]

@@ -38,6 +38,8 @@ class PlainBvh {
   void visit(const Moving<Sphere>& moving, const Consider& consider) const;
 
  private:
+  struct Cut;
+  struct Bins;
   struct Box {
     Point low = Point::Constant(std::numeric_limits<double>::infinity()), high = -low;
     void add(const Box& other);
