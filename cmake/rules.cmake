@@ -13,12 +13,19 @@ endfunction()
 # Headers that take long to read are read once for all targets that are compiled alike: together they take half the time.
 # `name` is a target that holds them; the others share it by target_precompile_headers(... REUSE_FROM name).
 function(read_headers_once name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK")
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "// Holds precompiled headers.\n")
   add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${arg_LINK})
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
   house_rules(${name})
+endfunction()
+
+# ... and so does every target that uses Eigen, where they are held.
+function(share_common_headers target)
+  if(TARGET common_headers)
+    target_precompile_headers(${target} REUSE_FROM common_headers)
+  endif()
 endfunction()

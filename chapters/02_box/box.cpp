@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "figures.hpp"
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "studies.hpp"

@@ -9,6 +9,7 @@
 #include "first_contact/partition/box_tree.hpp"
 #include "first_contact/partition/brute_force.hpp"
 #include "first_contact/partition/bsp_tree.hpp"
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "grown_planes.hpp"
 #include "measure.hpp"

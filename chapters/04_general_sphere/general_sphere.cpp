@@ -11,6 +11,7 @@
 #include "figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"

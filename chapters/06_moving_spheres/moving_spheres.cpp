@@ -4,6 +4,7 @@
 
 #include "far_away.hpp"
 #include "figures.hpp"
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "growth.hpp"

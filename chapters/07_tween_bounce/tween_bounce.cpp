@@ -7,6 +7,7 @@
 #include "figures.hpp"
 #include "first_contact/motion/stepped_bounce.hpp"
 #include "first_contact/motion/sweep_along.hpp"
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
 

@@ -4,6 +4,7 @@
 
 #include "encounter.hpp"
 #include "figures.hpp"
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 
 using namespace first_contact;

@@ -1,10 +1,15 @@
 #include "first_contact/figure/render.hpp"
 
-#include <boost/process.hpp>
+#include <boost/process/args.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/env.hpp>
+#include <boost/process/io.hpp>
+#include <boost/process/pipe.hpp>
+#include <boost/process/search_path.hpp>
+#include <boost/process/start_dir.hpp>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,6 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace process = boost::process;
+
+// gnuplot counts the pictures of an animation aloud, "25 frames in animation sequence": no complaint, all else is one.
+bool is_count_of_frames(const std::string& said) {
+  constexpr std::string_view rest = " frames in animation sequence";
+  const std::size_t number = said.find_first_not_of("0123456789");
+  return number != 0 && number != std::string::npos && said.substr(number, rest.size()) == rest &&
+         said.find_first_not_of(" \n", number + rest.size()) == std::string::npos;
+}
 
 // What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count.
 void run_gnuplot(const std::string& program, const Studio& studio, const fs::path& script,
@@ -29,11 +42,9 @@ void run_gnuplot(const std::string& program, const Studio& studio, const fs::pat
                                           script.filename().string()},
                          process::start_dir = script.parent_path().string(), process::std_out > process::null,
                          process::std_err > complaints, environment);
-  std::string said{std::istreambuf_iterator<char>(complaints), {}};
+  const std::string said{std::istreambuf_iterator<char>(complaints), {}};
   gnuplot.wait();
-  if (format == "gif")  // it counts its pictures aloud: no complaint
-    said = std::regex_replace(said, std::regex("[0-9]+ frames in animation sequence\\s*"), "");
-  if (gnuplot.exit_code() != 0 || !said.empty())
+  if (gnuplot.exit_code() != 0 || !(said.empty() || is_count_of_frames(said)))
     throw std::runtime_error("gnuplot, drawing " + script.string() + ", ended with status " +
                              std::to_string(gnuplot.exit_code()) + " and said: " + said);
 }

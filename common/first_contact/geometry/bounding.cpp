@@ -1,8 +1,8 @@
 #include "first_contact/geometry/bounding.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -16,6 +16,10 @@ namespace {
 // in the sphere through four points, so that points of one and the same sphere do not push each other off the
 // rim.
 constexpr double outside_tolerance = 1e-10;
+
+// An edge is in the span of others when this part of its length, or less, is across them: well above the rounding in
+// what is across.
+constexpr double flat_tolerance = 1e-12;
 
 void require_points(std::span<const Point> points) {
   if (points.empty()) throw std::invalid_argument("bounding shape of no points: there must be at least one");
@@ -35,17 +39,27 @@ Box box_along(const Eigen::Matrix3d& axes, std::span<const Point> points) {
   return {axes * (low + 0.5 * size), size.x() * axes.col(0), size.y() * axes.col(1), size.z() * axes.col(2)};
 }
 
-// The smallest sphere that has all of one to four points on its rim: its centre C is in the plane, line or
-// space of the edges d_i from the first, and 2 d_i.(C - P0) = d_i.d_i for each.
+//! [through]
+// The smallest sphere that has all of one to four points on its rim. Its centre C lies in the plane, line or space of
+// the edges d from the first point, and 2 d.(C - P0) = d.d for each: edge by edge the centre is moved across those that
+// came before, which changes nothing that they asked. An edge in their span asks nothing new.
 Sphere through(const std::vector<Point>& rim) {
   if (rim.empty()) return {Point::Zero(), 0};
-  Eigen::Matrix3Xd edges(3, rim.size() - 1);
-  for (std::size_t i = 1; i < rim.size(); ++i) edges.col(static_cast<Eigen::Index>(i) - 1) = rim[i] - rim[0];
-  if (edges.cols() == 0) return {rim[0], 0};
-  const Eigen::VectorXd half_squares = 0.5 * edges.colwise().squaredNorm().transpose();
-  const Vector to_center = edges.transpose().completeOrthogonalDecomposition().solve(half_squares);
+  std::array<Vector, 3> across;
+  std::size_t found = 0;
+  Vector to_center = Vector::Zero();
+  for (std::size_t i = 1; i < rim.size(); ++i) {
+    const Vector edge = rim[i] - rim[0];
+    Vector rest = edge;
+    for (std::size_t j = 0; j < found; ++j) rest -= across[j].dot(edge) * across[j];
+    if (rest.norm() <= flat_tolerance * edge.norm()) continue;
+    across[found] = rest.normalized();
+    to_center += (0.5 * edge.squaredNorm() - edge.dot(to_center)) / edge.dot(across[found]) * across[found];
+    ++found;
+  }
   return {rim[0] + to_center, to_center.norm()};
 }
+//! [through]
 
 //! [welzl]
 // The smallest sphere around the points that has `rim` on its rim.

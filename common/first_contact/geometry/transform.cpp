@@ -75,9 +75,13 @@ Transform Transform::perspective(double view_angle, double aspect, double near_z
   return Transform(m);
 }
 
+bool Transform::is_affine() const { return matrix_.row(3) == Eigen::RowVector4d(0, 0, 0, 1); }
+
 Transform Transform::after(const Transform& first) const {
   return {matrix_ * first.matrix_, first.inverse_ * inverse_};
 }
+
+Homogeneous Transform::apply(const Homogeneous& x) const { return matrix_ * x; }
 
 //! [transform_point]
 Point Transform::point(const Point& q) const {
@@ -100,6 +104,8 @@ Plane Transform::plane(const Plane& e) const {
 }
 //! [transform_plane]
 
+Rigid::Rigid() : Rigid(Eigen::Matrix3d::Identity(), Vector::Zero()) {}
+
 Rigid::Rigid(const Eigen::Quaterniond& turn, const Vector& shift) : translation_(shift) {
   require_finite(translation_, "rigid motion's translation");
   const double length = turn.coeffs().stableNorm();
@@ -108,6 +114,8 @@ Rigid::Rigid(const Eigen::Quaterniond& turn, const Vector& shift) : translation_
   rotation_ = Eigen::Quaterniond(turn.coeffs() / length).toRotationMatrix();
 }
 
+Rigid Rigid::moved_by(const Vector& shift) { return {Eigen::Quaterniond::Identity(), shift}; }
+
 Rigid Rigid::turned(const Vector& axis, double angle) {
   require_finite(axis, "axis of rotation");
   require(std::isfinite(angle), "angle of rotation", angle, "finite");
@@ -115,10 +123,24 @@ Rigid Rigid::turned(const Vector& axis, double angle) {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.stableNormalized())), Vector::Zero()};
 }
 
+Rigid Rigid::inverse() const { return {rotation_.transpose(), rotation_.transpose() * -translation_}; }
+
+Rigid Rigid::after(const Rigid& first) const {
+  return {rotation_ * first.rotation_, point(first.translation_)};
+}
+
+Transform Rigid::transform() const { return Transform::affine(rotation_, translation_); }
+
 // A rotation is its own inverse transpose; D changes by what the translation adds to N.Q.
 Plane Rigid::plane(const Plane& e) const {
   const Vector normal = direction(e.normal());
   return {normal, e.offset() - normal.dot(translation_)};
+}
+
+Sphere Rigid::sphere(const Sphere& s) const { return {point(s.center), s.radius}; }
+
+Box Rigid::box(const Box& b) const {
+  return {point(b.center), direction(b.r), direction(b.s), direction(b.t)};
 }
 
 }  // namespace first_contact

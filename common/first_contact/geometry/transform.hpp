@@ -33,14 +33,14 @@ class Transform {
   /// The 4x4 matrix M.
   const Matrix& matrix() const { return matrix_; }
   /// Does it leave w alone?
-  bool is_affine() const { return matrix_.row(3) == Eigen::RowVector4d(0, 0, 0, 1); }
+  bool is_affine() const;
   /// The way back.
   Transform inverse() const { return {inverse_, matrix_}; }
   /// First `first`, then this one.
   Transform after(const Transform& first) const;
 
   /// The 4-vector M X, not yet divided by w.
-  Homogeneous apply(const Homogeneous& x) const { return matrix_ * x; }
+  Homogeneous apply(const Homogeneous& x) const;
   /// A point: M [Q, 1], divided by its w.
   /// \throws std::domain_error if a projective map sends it to infinity (w = 0).
   Point point(const Point& q) const;
@@ -74,13 +74,13 @@ inline constexpr double singular_tolerance = 6 * std::numeric_limits<double>::ep
 class Rigid {
  public:
   /// No motion.
-  Rigid() : Rigid(Eigen::Matrix3d::Identity(), Vector::Zero()) {}
+  Rigid();
   /// \param turn any quaternion but zero; it is divided by its length.
   /// \throws std::invalid_argument if the quaternion is zero, or a coordinate is not finite.
   Rigid(const Eigen::Quaterniond& turn, const Vector& shift);
 
   /// A shift alone.
-  static Rigid moved_by(const Vector& shift) { return {Eigen::Quaterniond::Identity(), shift}; }
+  static Rigid moved_by(const Vector& shift);
   /// Turned about an axis through the origin, by an angle in radians, anticlockwise as seen from the axis'
   /// tip.
   /// \throws std::invalid_argument if the axis is zero, or a value is not finite.
@@ -91,11 +91,11 @@ class Rigid {
   /// By how much it moves, after it has turned.
   const Vector& translation() const { return translation_; }
   /// The way back.
-  Rigid inverse() const { return {rotation_.transpose(), rotation_.transpose() * -translation_}; }
+  Rigid inverse() const;
   /// First `first`, then this one.
-  Rigid after(const Rigid& first) const { return {rotation_ * first.rotation_, point(first.translation_)}; }
+  Rigid after(const Rigid& first) const;
   /// The same motion as a 4x4 matrix.
-  Transform transform() const { return Transform::affine(rotation_, translation_); }
+  Transform transform() const;
 
   /// A point, turned and moved.
   Point point(const Point& q) const { return rotation_ * q + translation_; }
@@ -104,9 +104,9 @@ class Rigid {
   /// The plane of the moved points.
   Plane plane(const Plane& e) const;
   /// A sphere, its centre moved.
-  Sphere sphere(const Sphere& s) const { return {point(s.center), s.radius}; }
+  Sphere sphere(const Sphere& s) const;
   /// A box, moved and turned.
-  Box box(const Box& b) const { return {point(b.center), direction(b.r), direction(b.s), direction(b.t)}; }
+  Box box(const Box& b) const;
 
  private:
   Rigid(const Eigen::Matrix3d& turn, const Vector& shift) : rotation_(turn), translation_(shift) {}

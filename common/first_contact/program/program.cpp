@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "first_contact/program/json.hpp"
 #include "first_contact/program/numbers.hpp"
 
 namespace first_contact::program {

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +13,8 @@
 #include "first_contact/program/report.hpp"
 
 namespace first_contact::program {
+
+using Json = nlohmann::ordered_json;  // json.hpp has what it can do; it takes long to read
 
 /// What every chapter shares: options, `--help`, `--json`, `--lang`, `--out`, figures, and the exit status:
 /// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a

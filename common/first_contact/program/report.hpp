@@ -1,26 +1,12 @@
 #pragma once
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "first_contact/geometry/space.hpp"
 #include "first_contact/program/language.hpp"
-#include "first_contact/sweep/contact.hpp"
 
 namespace first_contact::program {
-
-/// Results in the order in which they were given.
-using Json = nlohmann::ordered_json;
-
-/// A point or vector as [x, y, z].
-Json to_json(const Vector& value);
-/// The points of a contact, one list each.
-Json to_json(const ContactPoints& points);
-/// Prints with 17 significant digits, so that every double is read back as it was; what is not a number is
-/// null.
-std::string to_string(const Json& json);
 
 /// A number for a reader: six significant digits, and no minus before a zero.
 std::string readable(double value);

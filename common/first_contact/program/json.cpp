@@ -1,0 +1,60 @@
+#include "first_contact/program/json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace first_contact::program {
+
+namespace {
+
+std::string seventeen_digits(double value) {
+  if (!std::isfinite(value)) return "null";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+bool is_flat(const Json& json) {
+  return std::none_of(json.begin(), json.end(), [](const Json& part) { return part.is_structured(); });
+}
+
+// An object stands with a member a line; a list of plain values on one line.
+void write(std::string& out, const Json& json, const std::string& indent) {
+  if (json.is_number_float()) {
+    out += seventeen_digits(json.get<double>());
+  } else if (!json.is_structured() || json.empty()) {
+    out += json.dump();
+  } else {
+    const bool on_one_line = json.is_array() && is_flat(json);
+    const std::string inner = on_one_line ? "" : "\n" + indent + "  ";
+    std::string separator = inner;
+    out += json.is_array() ? '[' : '{';
+    for (const auto& [key, value] : json.items()) {
+      out += separator;
+      separator = (on_one_line ? ", " : ",") + inner;
+      if (json.is_object()) out += Json(key).dump() + ": ";
+      write(out, value, indent + "  ");
+    }
+    if (!on_one_line) out += "\n" + indent;
+    out += json.is_array() ? ']' : '}';
+  }
+}
+
+}  // namespace
+
+Json to_json(const Vector& value) { return Json::array({value.x(), value.y(), value.z()}); }
+
+Json to_json(const ContactPoints& points) {
+  Json list = Json::array();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) list.push_back(to_json(Vector(points.col(i))));
+  return list;
+}
+
+std::string to_string(const Json& json) {
+  std::string text;
+  write(text, json, "");
+  return text;
+}
+
+}  // namespace first_contact::program
