@@ -35,7 +35,7 @@ function landmarks(page) {
       .replace(/<p ?><a class="anchor" id="[^"]*"><\/a><\/p>\s*/, '')
       .replace(/<div class="line">(?:<a [^>]*><\/a>)?(?: |&#160;)*<span class="comment">\/\/! \[\w+\]<\/span><\/div>\n?/g, '')
       .replace(/<div class="fragment">(?=((?:<div class="line">.*<\/div>\n?)+))/g, (whole, lines) =>
-        lines.split('<div class="line">').length <= 36 ? '<div class="fragment short">' : whole)  // on paper in one piece
+        lines.split('<div class="line">').length <= 18 ? '<div class="fragment short">' : whole)  // on paper in one piece
       .replace(/ (cellspacing|cellpadding|border|frameborder)="\d+"/g, '')
       .replace('id="MSearchField"', 'id="MSearchField" aria-label="Search titles and names"')
       .replace(/<iframe /g, '<iframe title="Search results" ');

@@ -171,7 +171,7 @@ class Page {
     const command = tag ? `\\snippet ${file} ${tag}` : `\\include ${file}`;
     if (!folded)
       return blockToken(`<div class="where">${shownPath(fromRoot(place))}</div>`) + command + '\n\n';
-    return blockToken(`<details class="listing"><summary>${this.asHtml(folded, index)} <span class="where">${shownPath(fromRoot(place))}</span></summary>`) +
+    return blockToken(`<details class="listing${tag ? '' : ' whole'}"><summary>${this.asHtml(folded, index)} <span class="where">${shownPath(fromRoot(place))}</span></summary>`) +
            command + '\n' + blockToken('</details>');
   }
 
