@@ -12,7 +12,7 @@ const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...othe
 
 // Files that are folded on their page would be half of the book: here their names lead to them.
 const withoutWholeFiles = (text) => text.replace(
-  /<details class="listing whole"><summary>([\s\S]*?)<\/summary>[\s\S]*?<\/details>/g, '<p class="elsewhere">$1</p>');
+  /<details class="listing whole"([^>]*)><summary>([\s\S]*?)<\/summary>[\s\S]*?<\/details>/g, '<p class="elsewhere"$1>$2</p>');
 
 // The body of a finished page, its anchors made its own so that pages can stand in one file.
 function bodyOf({id, page}) {

@@ -170,9 +170,12 @@ class Page {
     }
     shown.snippets.push({file: fromRoot(place), tag, page: this.id});
     const command = tag ? `\\snippet ${file} ${tag}` : `\\include ${file}`;
+    const ownPage = otherPages.find((page) => page.folder && dirname(file) === `first_contact/${page.folder}`);
+    const anchor = `file-${basename(file).replaceAll('.', '-')}`, path = shownPath(fromRoot(place));
     if (!folded)
-      return blockToken(`<div class="where">${shownPath(fromRoot(place))}</div>`) + command + '\n\n';
-    return blockToken(`<details class="listing${tag ? '' : ' whole'}"><summary>${this.asHtml(folded, index)} <span class="where">${shownPath(fromRoot(place))}</span></summary>`) +
+      return blockToken(`<div class="where">${ownPage ? `<a href="${ownPage.page}#${anchor}">${path}</a>` : path}</div>`) + command + '\n\n';
+    const mark = this.id === ownPage?.id ? ` id="${anchor}"` : '';
+    return blockToken(`<details class="listing${tag ? '' : ' whole'}"${mark}><summary>${this.asHtml(folded, index)} <span class="where">${path}</span></summary>`) +
            command + '\n' + blockToken('</details>');
   }
 
