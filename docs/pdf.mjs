@@ -8,6 +8,7 @@ import {executable} from './checks/browser.mjs';
 import {build, chapters, escape, html, otherPages, read} from './tools/book.mjs';
 import {chapterMap} from './tools/generated.mjs';
 
+const goesOn = (part) => part.library && part.folder;
 const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...otherPages.filter(({front}) => !front)];
 
 // Files that are folded on their page would be half of the book: here their names lead to them.
@@ -36,9 +37,9 @@ function bodyOf({id, page}) {
 const running = ({number, title}) => (number ? `${number} · ` : '') + title;
 
 // Each part has pages of its own name, with its title at their foot; the folders of the library go on where it ends.
-const pageRules = () => parts.map((part) => (part.folder ? '' :
+const pageRules = () => parts.map((part) => (goesOn(part) ? '' :
   `@page ${part.id} { @bottom-left { content: ${JSON.stringify(running(part))}; } } `) +
-  `#${part.id} { page: ${part.folder ? 'library' : part.id}; }`).join('\n');
+  `#${part.id} { page: ${goesOn(part) ? 'library' : part.id}; }`).join('\n');
 
 function entry(part, pages) {
   const about = part.question ? `<small>${escape(part.question)}</small>` : '';
@@ -48,13 +49,13 @@ function entry(part, pages) {
 
 function assemble(pages) {
   const style = (name) => `<style>${read(html, name)}</style>`;
-  const article = (part) => `<article id="${part.id}"${part.folder ? ' class="goes-on"' : ''}><div class="contents"><div class="textblock">${bodyOf(part)}</div></div></article>`;
+  const article = (part) => `<article id="${part.id}"${goesOn(part) ? ' class="goes-on"' : ''}><div class="contents"><div class="textblock">${bodyOf(part)}</div></div></article>`;
   return `<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` +
     ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') +
     `<style>@media print { ${pageRules()} }</style></head><body class="book"><main>` +
     `<section class="title-page"><h1>First Contact</h1><p class="what">Collision detection and tweened animation,<br>chapter by chapter</p>` +
     `<p class="chinese" lang="zh-Hant">碰撞偵測與補間動畫</p>${chapterMap()}<p class="after">After Shing-Min Hu, 胡興民, 〈以補間動畫實作碰撞偵測〉</p></section>` +
-    `<section class="toc"><h1>Contents</h1><ul>${parts.filter(({folder}) => !folder).map((part) => entry(part, pages)).join('')}</ul></section>` +
+    `<section class="toc"><h1>Contents</h1><ul>${parts.filter((part) => !goesOn(part)).map((part) => entry(part, pages)).join('')}</ul></section>` +
     parts.map(article).join('') + '</main></body></html>';
 }
 
