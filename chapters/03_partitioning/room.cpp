@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include "first_contact/program/random.hpp"
+
 using namespace first_contact;
+using program::Random;
 
 namespace {
 
@@ -26,11 +29,6 @@ Place place(Spread spread, Random& random) {
 }
 
 }  // namespace
-
-Vector Random::vector() {
-  const double x = number(), y = number(), z = number();
-  return {x, y, z};
-}
 
 std::vector<Triangle> shards(std::size_t count, Spread spread, std::uint64_t seed) {
   Random random(seed);

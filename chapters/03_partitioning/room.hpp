@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "first_contact/geometry/bounds.hpp"
@@ -9,24 +8,6 @@
 
 /// \file
 /// Rooms full of objects, and balls that fly through them: the same for a seed on every computer.
-
-/// Random numbers that do not depend on the platform. The standard lays down every bit of the generator, but
-/// leaves its distributions to the library; so numbers are made of the bits here, by arithmetic that is
-/// exact.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : generator_(seed) {}
-
-  /// Evenly spread over [0, 1): 53 of the generator's 64 bits.
-  double number() { return static_cast<double>(generator_() >> 11U) * 0x1p-53; }
-  /// Evenly spread over the unit cube.
-  first_contact::Vector vector();
-  /// 0, 1, ..., count - 1.
-  int below(int count) { return static_cast<int>(number() * count); }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 /// How objects lie in a room: evenly spread, or crowded about one point, at 12 sizes from the room's on, each
 /// half the one before.

@@ -6,11 +6,13 @@
 #include <limits>
 #include <random>
 
+#include "first_contact/program/random.hpp"
 #include "first_contact/sweep/contact_times.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "twofold.hpp"
 
 using namespace first_contact;
+using program::uniform, program::unit_vector;
 
 namespace general_sphere_chapter {
 
@@ -19,22 +21,12 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int shots = 2000;
 
-// Uniform in [-1, 1], the same with every standard library.
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
-
 // 10^(n/4), without std::pow, whose last bit is not the same everywhere.
 double quarter_decades(int n) {
   double power = 1;
   for (int i = 0; i < std::abs(n); ++i) power *= 10;
   power = std::sqrt(std::sqrt(power));
   return n < 0 ? 1 / power : power;
-}
-
-Vector unit_vector(std::mt19937& random) {
-  Vector v;
-  do v = {uniform(random), uniform(random), uniform(random)};
-  while (v.squaredNorm() > 1 || v.squaredNorm() < 0.01);
-  return v.normalized();
 }
 
 // A flight at the edge e that begins at the origin, from m by v, with the radius 1.

@@ -1,6 +1,7 @@
 // Chapter 5: a sphere slides along what it meets (paper, 2.2).
 #include "first_contact/response/slide.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,11 +14,14 @@
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "jitter.hpp"
 #include "scene.hpp"
+#include "walk_report.hpp"
 
 using namespace first_contact;
 using namespace first_contact::program;
 
 namespace {
+
+std::string at_least_one(double value) { return value >= 1 ? "" : "must be at least 1"; }
 
 Text text_of(Ending ending) {
   switch (ending) {
@@ -197,10 +201,12 @@ void note_frames(Program& program) {
 int main(int argc, char** argv) {
   Program program("slide", "05_slide", "A sphere slides along what it meets (paper, 2.2).");
   Scene scene;
+  long frames = 10000;
   program.option("--mesh", scene.mesh, "FILE", "the surface: .obj, .off, .ply or .stl; a level wall if none");
   program.option("--from", scene.from, "x,y,z", "P1, centre of the sphere at the start");
   program.option("--to", scene.to, "x,y,z", "P2, where it is sent");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
+  program.option("--frames", frames, "n", "of the walk over each whole surface", at_least_one);
   return program.run(argc, argv, [&] {
     const auto environment = program.checked("--mesh", [&] { return scene.environment(); });
     const auto ball = program.checked("--to", [&] { return scene.ball(); });
@@ -214,6 +220,8 @@ int main(int argc, char** argv) {
     tell_second_wall(report, corner, into_corner,
                      {"A third wall: the sphere stops in the corner", "第三面牆：停在角落"});
     tell_gap(report);
+    const auto grounds = walks::grounds();
+    const auto all_walks = tell_walks(program, grounds, frames);
     if (program.given("--mesh")) tell_defects(report, environment.mesh());
     program.json() = results(path);
     note_wall(program, environment, ball, path);
@@ -221,7 +229,10 @@ int main(int argc, char** argv) {
     note_second_wall(program, "corner", corner, into_corner);
     note_gap(program);
     note_frames(program);
-    if (program.draws()) draw_slide_figures(program, environment, ball, path);
+    note_walks(program, grounds, all_walks);
+    if (!program.draws()) return;
+    draw_slide_figures(program, environment, ball, path);
+    draw_walk(program.studio(), grounds[0], all_walks[0]);
   });
 }
 //! [main]

@@ -5,23 +5,15 @@
 #include <limits>
 #include <random>
 
+#include "first_contact/program/random.hpp"
 #include "first_contact/sweep/contact_times.hpp"
 
 using namespace first_contact;
+using program::uniform, program::unit_vector;
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// Uniform in [-1, 1], the same with every standard library.
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
-
-Vector unit_vector(std::mt19937& random) {
-  Vector v;
-  do v = {uniform(random), uniform(random), uniform(random)};
-  while (v.squaredNorm() > 1 || v.squaredNorm() < 0.01);
-  return v.normalized();
-}
 
 //! [far_away]
 // One shot from `distance` away: how far off the contact is, infinite if the formula does not find it;

@@ -6,13 +6,12 @@
 
 #include "first_contact/geometry/bounds.hpp"
 #include "first_contact/partition/first_contacts.hpp"
+#include "first_contact/program/random.hpp"
 
 using namespace first_contact;
+using program::uniform;
 
 namespace {
-
-// Uniform in [-1, 1], the same with every standard library.
-double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
 
 Vector vector(std::mt19937& random, double size) {
   Vector v;

@@ -58,30 +58,6 @@ Moving<Sphere> cast(const Mesh& mesh, Kind kind, Random& random, double unit) {
 
 }  // namespace
 
-Mesh terrain(std::uint32_t n, std::uint64_t seed) {
-  Random random(seed);
-  double phase[6];
-  for (double& p : phase) p = uniform(random, 0, 6.283185307179586);
-  std::vector<Point> vertices;
-  for (std::uint32_t j = 0; j <= n; ++j)
-    for (std::uint32_t i = 0; i <= n; ++i) {
-      const double x = 64.0 * i / n, y = 64.0 * j / n;
-      const double rough = 0.1 * 64 / n * uniform(random, -1, 1);
-      vertices.emplace_back(x, y,
-                            1.5 * std::sin(0.21 * x + phase[0]) * std::cos(0.17 * y + phase[1]) +
-                                0.5 * std::sin(0.9 * x + phase[2]) * std::sin(1.1 * y + phase[3]) +
-                                0.1 * std::sin(3.1 * x + phase[4]) * std::sin(2.7 * y + phase[5]) + rough);
-    }
-  std::vector<Mesh::Face> faces;
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
-      faces.push_back({a, b, d});
-      faces.push_back({a, d, c});
-    }
-  return {std::move(vertices), std::move(faces)};
-}
-
 const char* to_string(Kind kind) {
   switch (kind) {
     case Kind::micro:

@@ -4,6 +4,7 @@
 
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
+#include "first_contact/program/terrain.hpp"
 #include "first_contact/sweep/contact.hpp"
 
 /// \file
@@ -13,8 +14,7 @@ namespace scenes {
 
 using namespace first_contact;
 
-/// A bumpy terrain of 2 n n triangles in a square of 64 x 64.
-Mesh terrain(std::uint32_t n, std::uint64_t seed = 1);
+using program::terrain;
 
 /// How far casts go: a micro cast less than it is wide; a hop .05 to .5; a long one 5 to 60; an aimed one 1
 /// to 8, straight at a vertex, at a point of an edge, or so that it grazes one.

@@ -15,8 +15,7 @@ CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   normal = at_a ? ca.cross(ab) : at_b ? ab.cross(bc) : bc.cross(ca);
 }
 
-Facet::Facet(const Triangle& t)
-    : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()), largest_radius(0) {
+Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {
   // Let l be the longest side and h the height above it. A ball of radius r that lies on the edges on both
   // sides of the triangle sags through its face by at most h^2 / 2r. The rounded normal, in turn, may be
   // tilted by eps l / h, which costs r (eps l / h)^2 / 2. Where h^2 = 2 eps l r, the first is eps l and the

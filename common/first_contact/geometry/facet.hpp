@@ -27,8 +27,8 @@ struct Facet : CornerNormal {
 
   /// The triangle itself.
   Triangle triangle;
-  double length;          ///< |normal|
-  double largest_radius;  ///< up to here the face answers for itself; 0 if the triangle is degenerate
+  double length;              ///< |normal|
+  double largest_radius = 0;  ///< up to here the face answers for itself; 0 if the triangle is degenerate
 };
 
 }  // namespace first_contact
