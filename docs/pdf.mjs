@@ -16,11 +16,12 @@ const withoutWholeFiles = (text) => text.replace(
   /<details class="listing whole"([^>]*)><summary>([\s\S]*?)<\/summary>[\s\S]*?<\/details>/g, '<p class="elsewhere"$1>$2</p>');
 
 // The body of a finished page, its anchors made its own so that pages can stand in one file.
-function bodyOf({id, page}) {
+function bodyOf({id, page, ...part}) {
   const text = read(html, page);
   const title = /<h1 class="title">[\s\S]*?<\/h1>/.exec(text)[0];
   const inner = /<div class="textblock">([\s\S]*)<\/div>\s*<\/div><!-- contents -->/.exec(text)[1];
-  const body = withoutWholeFiles(title + inner.replace(/<nav class="turn"[\s\S]*?<\/nav>/, ''));
+  const columns = goesOn(part) ? `<div class="columns">${inner}</div>` : inner;
+  const body = withoutWholeFiles(title + columns.replace(/<nav class="turn"[\s\S]*?<\/nav>/, ''));
   const glyphs = /<svg class="glyphs"[\s\S]*?<\/svg>/.exec(text)?.[0] ?? '';
   const own = (name) => `${id}--${name}`;
   return (glyphs + body)
