@@ -55,6 +55,14 @@
     };
     open.addEventListener('click', () => toggle());
     addEventListener('keydown', (event) => { if (event.key === 'Escape') toggle(false); });
+    const unfold = () => {  // what a link leads to
+      const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+      if (target?.localName !== 'details') return;
+      target.open = true;
+      target.scrollIntoView();
+    };
+    addEventListener('hashchange', unfold);
+    unfold();
     document.querySelectorAll('div.fragment, pre.output, pre.shell').forEach(copyButton);
     document.querySelectorAll('svg.moves').forEach(pauseButton);
   });

@@ -50,7 +50,7 @@ std::string shade(std::uint32_t rgb, double opacity) {
 // neighbours.
 std::string area(const std::string& colour, bool hairline) {
   std::string style = "filledcurves closed fc rgb " + colour;
-  return style + (hairline ? " fs solid border lc rgb " + colour + " lw 0.6" : " fs solid noborder");
+  return style + (hairline ? " fs solid border lc rgb " + colour + " lw 1.1" : " fs solid noborder");
 }
 
 std::string stroke(const Pen& pen) {
