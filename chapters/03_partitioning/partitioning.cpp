@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "figures.hpp"
-#include "first_contact/geometry/mesh_file.hpp"
 #include "first_contact/partition/box_tree.hpp"
 #include "first_contact/partition/brute_force.hpp"
 #include "first_contact/partition/bsp_tree.hpp"
+#include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/program.hpp"
 #include "grown_planes.hpp"
 #include "measure.hpp"
@@ -253,7 +253,7 @@ std::vector<Triangle> triangles_of(const Scene& scene) {
   if (scene.mesh.empty())
     return shards(static_cast<std::size_t>(scene.objects), Spread::even,
                   static_cast<std::uint64_t>(scene.seed));
-  const Mesh mesh = read_mesh(scene.mesh);
+  const Mesh mesh = load_mesh(scene.mesh);
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < mesh.size(); ++i) triangles.push_back(mesh.triangle(i));
   return triangles;

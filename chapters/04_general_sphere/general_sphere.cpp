@@ -10,7 +10,7 @@
 #include "casts.hpp"
 #include "figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
-#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
@@ -181,7 +181,7 @@ void give_results(Program& program, const Moving<Sphere>& moving, const std::opt
 
 Environment environment_of(Program& program, const Scene& scene) {
   if (!program.given("--mesh")) return Environment(cut_cube());
-  return program.checked("--mesh", [&] { return Environment(read_mesh(scene.mesh)); });
+  return program.checked("--mesh", [&] { return Environment(load_mesh(scene.mesh)); });
 }
 
 // All casts are read, checked and made before anything is written.

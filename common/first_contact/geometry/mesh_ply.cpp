@@ -116,7 +116,10 @@ class BinaryValues {
  public:
   BinaryValues(const MeshBytes& file, std::size_t position, Encoding encoding)
       : file_(file), position_(position), last_(position), little_(encoding == Encoding::little_endian) {}
-  void begin_row(const std::string& missing) { missing_ = missing; }
+  void begin_row(const std::string& missing) {
+    missing_ = missing;
+    file_.reached(position_);
+  }
   double next(const Type& type) {
     const std::uint64_t bits = read(type.bytes);
     if (type.kind == Type::natural) return static_cast<double>(bits);

@@ -78,9 +78,11 @@ Mesh read_binary(const MeshBytes& file) {
                              " bytes after the header, not " + std::to_string(have));
   Welder welder;
   std::vector<Mesh::Face> faces;
-  for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record)
+  for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record) {
+    file.reached(byte);
     faces.push_back({welder.number_of(point_at(file, byte)), welder.number_of(point_at(file, byte + 12)),
                      welder.number_of(point_at(file, byte + 24))});
+  }
   return {std::move(welder.vertices), std::move(faces)};
 }
 
