@@ -1,6 +1,6 @@
 #include "scene.hpp"
 
-#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 
 using namespace first_contact;
@@ -18,7 +18,9 @@ const Moving<Sphere> into_corner{{{-0.8, -1.4, 1.2}, 0.5}, {5.5, 3, -3}};
 
 const Moving<Sphere> over_the_bunny{{{4, -1.2, 9}, 0.5}, {-0.05, 0, -0.06}};
 
-Environment Scene::environment() const { return Environment(mesh.empty() ? walls(ground) : read_mesh(mesh)); }
+Environment Scene::environment() const {
+  return Environment(mesh.empty() ? walls(ground) : program::load_mesh(mesh));
+}
 
 Mesh walls(const std::vector<Rectangle>& rectangles) {
   std::vector<Point> vertices;

@@ -43,3 +43,18 @@ TEST_CASE("The judge finds fault with a contact that is left out, made up, or mo
   CHECK(tally_of(down, early).inexact == 1);
   CHECK(tally_of(down, late).inexact == 1);
 }
+
+TEST_CASE("The judge finds fault with a ray that slips through a face, or between two") {
+  const Mesh floor({{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const auto missed = [&](const Point& from) {
+    judge::Tally tally;
+    judge::add(tally, floor, {Sphere{from, 0}, {0, 0, -2}}, std::nullopt);
+    return tally.missed;
+  };
+  CHECK(missed({3, 1, 1}) == 1);
+  CHECK(missed({1, 1, 1}) == 1);  // on the seam of both
+  CHECK(missed({1, 1 + 1e-16, 1}) == 1);
+  CHECK(missed({9 - 1e-15, 0, 1}) == 0);  // within the bound of the rim
+  CHECK(missed({9.5, 0, 1}) == 0);
+  CHECK(missed({3, 1, 2 + 1e-15}) == 0);  // ends before it
+}

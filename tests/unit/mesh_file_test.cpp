@@ -1,5 +1,6 @@
 #include "first_contact/geometry/mesh_file.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "catch.hpp"
 
@@ -171,6 +173,38 @@ TEST_CASE("STL in binary is recognised even if it begins with the word solid") {
   const Mesh mesh = read("square.stl", binary_stl(2, 2));
   CHECK(mesh.faces() == two_halves);
   CHECK(mesh.vertices().size() == 4);
+}
+
+TEST_CASE(
+    "Who listens is told ever more of a file as it is read, about a hundred times, and in the end all of "
+    "it") {
+  std::string off = "OFF\n1000 1 0\n", stl = binary_stl(2, 2), ply = binary_ply(true, true, 0);
+  for (int i = 0; i < 1000; ++i) off += std::to_string(i) + " 0 0\n";
+  off += "3 0 1 2\n";
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"a.off", off}, {"a.stl", stl}, {"a.ply", ply}};
+  for (const auto& [name, bytes] : files) {
+    CAPTURE(name);
+    const Folder folder;
+    std::vector<double> parts;
+    const auto told = read_mesh(folder.file(name, bytes), [&](double part) { parts.push_back(part); });
+    CHECK(told.vertices() == read(name, bytes).vertices());
+    REQUIRE(parts.size() > 1);
+    CHECK(parts.size() <= 102);
+    CHECK(parts.size() >= (name == "a.off" ? 90 : 2));
+    CHECK(parts.front() >= 0);
+    CHECK(std::is_sorted(parts.begin(), parts.end()));
+    CHECK(parts.back() == 1);
+  }
+}
+
+TEST_CASE("Who listens to the reading of a file that is refused is never told that all is read") {
+  const Folder folder;
+  double last = 0;
+  CHECK_THROWS_AS(read_mesh(folder.file("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
+                            [&](double part) { last = part; }),
+                  MeshFileError);
+  CHECK(last < 1);
 }
 
 TEST_CASE("Digits are read as the nearest double, and OFF gives the same doubles back") {

@@ -156,17 +156,20 @@ Mesh placed(const Mesh& mesh, Random& random) {
 }
 
 const char* aim_name(int aim) {
-  constexpr std::array names{"vertex", "edge", "seam", "graze", "anywhere", "overlap"};
+  constexpr std::array names{"vertex", "edge", "seam", "graze", "anywhere", "overlap", "ray"};
   return names[static_cast<std::size_t>(aim)];
 }
 
 Moving<Sphere> cast(const Mesh& mesh, int aim, Random& random) {
   const Triangle t = mesh.triangle(random() % mesh.size());
   const double size = std::max((t.b - t.a).norm(), (t.c - t.a).norm()) + 1e-300;
-  const double r = size * log_uniform(random, 1e-3, 10), length = size * log_uniform(random, 1e-2, 30);
+  const double wide = size * log_uniform(random, 1e-3, 10), r = aim == 6 ? 0 : wide,
+               length = size * log_uniform(random, 1e-2, 30);
   const double u = uniform(random, 0, 1), v = uniform(random, 0, 1 - u);
-  const Point target = aim == 0  ? t.a
-                       : aim < 4 ? Point(t.a + u * (t.b - t.a))
+  const auto part = aim == 6 ? random() % 4 : 0;  // a ray: to a vertex, an edge, and twice as often to a face
+  const bool to_vertex = aim == 0 || (aim == 6 && part == 0), to_edge = aim < 4 || (aim == 6 && part == 1);
+  const Point target = to_vertex ? t.a
+                       : to_edge ? Point(t.a + u * (t.b - t.a))
                                  : Point(t.a + u * (t.b - t.a) + v * (t.c - t.a));
   const Vector d = direction(random), n = t.area_vector().stableNormalized();
   Vector beside = Vector::Zero();

@@ -26,8 +26,8 @@ Mesh surface(int kind, Random& random);
 Mesh placed(const Mesh& mesh, Random& random);
 
 /// A sphere on its way to a vertex, an edge, a seam or a face, squarely or so that it hardly touches, or in
-/// its midst.
-inline constexpr int aims = 6;
+/// its midst; or a sphere of radius 0, a ray, to any of them.
+inline constexpr int aims = 7;
 const char* aim_name(int aim);
 Moving<Sphere> cast(const Mesh& mesh, int aim, Random& random);
 

@@ -27,6 +27,10 @@ Real dot(const Vec<Real>& a, const Vec<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class Real>
+Vec<Real> cross(const Vec<Real>& a, const Vec<Real>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class Real>
 Real norm(const Vec<Real>& a) {
   using std::sqrt;
   return sqrt(dot(a, a));

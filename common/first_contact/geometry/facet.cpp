@@ -4,15 +4,30 @@
 #include <cmath>
 #include <limits>
 
+#include "first_contact/geometry/accurate_cross.hpp"
+
 namespace first_contact {
+
+namespace {
+
+/// The rounding of a cross product turns the normal by up to eps l / h, also along the triangle: over its length l
+/// the plane then leaves the triangle by eps l^2 / h. Where that is more than 16 eps l, it is worked out with more
+/// care.
+/// \see tests/oracle/verify_test.cpp
+constexpr double thin = 1 / 16.0;
+
+}  // namespace
 
 CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   const Vector ab = b - a, bc = c - b, ca = a - c;
-  longest = std::sqrt(std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()}));
+  const double square = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
+  longest = std::sqrt(square);
   const bool at_a = bc.squaredNorm() >= std::max(ab.squaredNorm(), ca.squaredNorm());
   const bool at_b = !at_a && ca.squaredNorm() >= ab.squaredNorm();
   corner = at_a ? a : at_b ? b : c;
-  normal = at_a ? ca.cross(ab) : at_b ? ab.cross(bc) : bc.cross(ca);
+  const Vector &in = at_a ? ca : at_b ? ab : bc, &out = at_a ? ab : at_b ? bc : ca;
+  normal = in.cross(out);
+  if (normal.squaredNorm() < thin * square * (thin * square)) normal = accurate_cross<double>(in, out);
 }
 
 Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {

@@ -13,12 +13,15 @@
 namespace first_contact {
 namespace {
 
-MeshBytes load(const std::filesystem::path& file) {
+MeshBytes load(const std::filesystem::path& file, const ReadingProgress& progress) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored))
     throw MeshFileError(file.string() + ": must be a file that exists and can be read");
-  MeshBytes loaded{file.string(), {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}};
+  MeshBytes loaded;
+  loaded.name = file.string();
+  loaded.bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  loaded.progress = progress;
   if (in.bad()) throw MeshFileError(file.string() + ": cannot be read to its end");
   if (loaded.bytes.empty()) throw MeshFileError(file.string() + ": is empty, must hold a mesh");
   return loaded;
@@ -49,16 +52,17 @@ std::string as_off(const Mesh& mesh) {
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& file) {
+Mesh read_mesh(const std::filesystem::path& file, const ReadingProgress& progress) {
   using Reader = Mesh (*)(const MeshBytes&);
   constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
       {{".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}}};
   const std::string ending = lower_ending(file);
   for (const auto& [name, read] : readers)
     if (ending == name) {
-      const MeshBytes loaded = load(file);
+      const MeshBytes loaded = load(file, progress);
       Mesh mesh = read(loaded);
       if (mesh.size() == 0) throw MeshFileError(loaded.name + ": holds no face, must hold at least one");
+      if (progress) progress(1);
       return mesh;
     }
   throw MeshFileError(file.string() + ": the name must end in .obj, .off, .ply or .stl");

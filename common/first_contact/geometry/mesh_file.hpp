@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 
 #include "first_contact/geometry/mesh.hpp"
@@ -13,6 +14,9 @@ class MeshFileError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// Is told, about a hundred times, what part of a file's bytes has been read: ever more, and in the end 1.
+using ReadingProgress = std::function<void(double part)>;
+
 /// Reads a mesh. The ending of the name, in capitals or not, tells the format:
 /// - `.obj` (Wavefront): `v` and `f`, with `a/b/c` and negative numbers; all else is passed over;
 /// - `.off`: with or without colours, normals and texture coordinates, which are passed over;
@@ -23,10 +27,11 @@ class MeshFileError : public std::invalid_argument {
 /// Coordinates are the doubles nearest to the digits in the file. Polygons are cut into a fan of triangles
 /// from their first corner, which is right for convex ones. Memory grows with the file's bytes, never with
 /// the counts that it promises.
+/// \param progress  if given, it is told how far the reading is
 /// \throws MeshFileError if the file is missing, empty, of another format, cut short, longer than its own
 ///     counts say, or without a face; if a number is malformed, infinite or not a number; if a face names a
 ///     vertex that does not exist.
-Mesh read_mesh(const std::filesystem::path& file);
+Mesh read_mesh(const std::filesystem::path& file, const ReadingProgress& progress = {});
 
 /// Writes a mesh in the format OFF, with the fewest digits that give the same doubles again. The file appears
 /// whole or not at all.

@@ -3,8 +3,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "first_contact/geometry/mesh_file.hpp"
-
 namespace first_contact {
 namespace {
 
@@ -20,6 +18,12 @@ bool parse(std::string_view word, Number& value) {
 
 }  // namespace
 
+void MeshBytes::reached(std::size_t byte) const {
+  if (!progress || byte < next_to_tell_) return;
+  progress(static_cast<double>(byte) / static_cast<double>(bytes.size()));
+  next_to_tell_ = byte + bytes.size() / 100 + 1;
+}
+
 void MeshBytes::refuse_line(std::size_t line, const std::string& rule) const {
   throw MeshFileError(name + ", line " + std::to_string(line) + ": " + rule);
 }
@@ -30,6 +34,7 @@ void MeshBytes::refuse_byte(std::size_t byte, const std::string& rule) const {
 
 bool TextLines::next() {
   const std::string_view text = file_.bytes;
+  file_.reached(position_);
   words_.clear();
   while (words_.empty() && position_ < text.size()) {
     const std::size_t end = std::min(text.find('\n', position_), text.size());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "first_contact/geometry/mesh.hpp"
+#include "first_contact/geometry/mesh_file.hpp"
 
 /// \file
 /// What the readers of the mesh formats share. Programs include mesh_file.hpp instead.
@@ -17,11 +18,19 @@ struct MeshBytes {
   std::string name;
   /// All that is in it.
   std::string bytes;
+  /// Whom to tell how far the reading is; nobody if it is empty.
+  ReadingProgress progress = {};
+
+  /// Readers say here that they have come to this byte; those who listen hear of every hundredth part.
+  void reached(std::size_t byte) const;
 
   /// \throws MeshFileError "name, line 7: rule".
   [[noreturn]] void refuse_line(std::size_t line, const std::string& rule) const;
   /// \throws MeshFileError "name, byte 84: rule".
   [[noreturn]] void refuse_byte(std::size_t byte, const std::string& rule) const;
+
+ private:
+  mutable std::size_t next_to_tell_ = 0;
 };
 
 /// Wavefront OBJ.

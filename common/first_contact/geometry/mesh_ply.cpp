@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "first_contact/geometry/mesh_formats.hpp"
@@ -114,7 +116,10 @@ class BinaryValues {
  public:
   BinaryValues(const MeshBytes& file, std::size_t position, Encoding encoding)
       : file_(file), position_(position), last_(position), little_(encoding == Encoding::little_endian) {}
-  void begin_row(const std::string& missing) { missing_ = missing; }
+  void begin_row(const std::string& missing) {
+    missing_ = missing;
+    file_.reached(position_);
+  }
   double next(const Type& type) {
     const std::uint64_t bits = read(type.bytes);
     if (type.kind == Type::natural) return static_cast<double>(bits);
@@ -161,11 +166,13 @@ Row read_row(Values& values, const Element& element) {
   Row row;
   for (const Property& property : element.properties) {
     const double count = property.count ? values.next(*property.count) : 1;
-    if (!(count >= 0) || count != std::floor(count))
+    constexpr double most =
+        std::numeric_limits<std::uint32_t>::max();  // the widest type that a list's length can have
+    if (!(count >= 0 && count <= most) || count != std::floor(count))
       values.refuse("a list must have a whole number of items");
     const bool corners =
         property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
-    for (double i = 0; i < count; ++i) {
+    for (auto left = static_cast<std::uint32_t>(count); left > 0; --left) {
       const double value = values.next(property.type);
       if (corners) row.corners.push_back(value);
       if (!property.count && property.name.size() == 1 && property.name >= "x" && property.name <= "z")

@@ -60,7 +60,7 @@ std::uint32_t word_at(const MeshBytes& file, std::size_t byte) {  // little-endi
 Point point_at(const MeshBytes& file, std::size_t byte) {
   Point p;
   for (std::size_t i = 0; i < 3; ++i) {
-    const float value = std::bit_cast<float>(word_at(file, byte + 4 * i));
+    const auto value = std::bit_cast<float>(word_at(file, byte + 4 * i));
     if (!std::isfinite(value)) file.refuse_byte(byte + 4 * i, "must be a finite number");
     p[static_cast<Eigen::Index>(i)] = value;
   }
@@ -78,9 +78,11 @@ Mesh read_binary(const MeshBytes& file) {
                              " bytes after the header, not " + std::to_string(have));
   Welder welder;
   std::vector<Mesh::Face> faces;
-  for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record)
+  for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record) {
+    file.reached(byte);
     faces.push_back({welder.number_of(point_at(file, byte)), welder.number_of(point_at(file, byte + 12)),
                      welder.number_of(point_at(file, byte + 24))});
+  }
   return {std::move(welder.vertices), std::move(faces)};
 }
 

@@ -48,7 +48,9 @@ bool is_singular(const Matrix& m) {
 Transform::Transform(const Matrix& m) : matrix_(m) {
   if (!m.allFinite()) throw std::invalid_argument("transform's matrix: every entry must be finite");
   if (is_singular(m)) throw std::invalid_argument("transform's matrix: must not be singular");
-  inverse_ = m.fullPivLu().inverse();
+  const Eigen::FullPivLU<Matrix> parts(m);
+  for (int column = 0; column < 4; ++column)
+    inverse_.col(column) = parts.solve(Homogeneous(Matrix::Identity().col(column)));
   if (is_affine()) inverse_.row(3) = m.row(3);  // [0, 0, 0, 1] exactly
   if (!inverse_.allFinite()) throw std::invalid_argument("transform's matrix: must have a finite inverse");
 }

@@ -53,6 +53,14 @@ inline std::ostream& operator<<(std::ostream& out, Feature feature) { return out
 /// The points of one contact, one a column: 1 as a rule; 2 or 4 when a box lands on an edge or a face.
 using ContactPoints = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 4>;
 
+/// One point as the points of a contact. (Made by its column: of a copy in one piece, g++ 12 for AVX-512 says
+/// that it reads eight numbers where there are three.)
+inline ContactPoints only(const Point& point) {
+  ContactPoints points(3, 1);
+  points.col(0) = point;
+  return points;
+}
+
 /// The number of no triangle.
 inline constexpr std::size_t no_triangle = std::numeric_limits<std::size_t>::max();
 

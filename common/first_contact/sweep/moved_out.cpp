@@ -57,8 +57,11 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   if (!weights_where_line_meets(along, a - center + low, b - center + low, c - center + low))
     return std::nullopt;
 
-  const double tolerance = rounding_of_distance * (m.norm() + moving.displacement.norm() + radius);
-  const auto t = gap > 0 ? settled(-gap / approach, moving, facet.triangle, tolerance) : 0.0;
+  const double tolerance =
+      rounding_of_distance * (m.norm() + facet.longest + moving.displacement.norm() + radius);
+  // A point goes through: its distance is least where it is 0, and Newton's steps would leap to and fro.
+  const auto t = gap > 0 && radius > 0 ? settled(-gap / approach, moving, facet.triangle, tolerance)
+                                       : std::max(0.0, -gap / approach);
   if (!t) return std::nullopt;
   const double distance = std::min(radius, std::abs(height) / facet.length);
   return Touch{

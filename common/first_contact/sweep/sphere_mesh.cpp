@@ -127,7 +127,7 @@ std::size_t FirstTouch::lowest_triangle() const {
 
 std::optional<Contact> FirstTouch::contact() const {
   if (!first_) return std::nullopt;
-  return Contact{first_->time, first_->point, first_->normal, first_->feature, lowest_triangle()};
+  return Contact{first_->time, only(first_->point), first_->normal, first_->feature, lowest_triangle()};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Plane& plane) {
   if (!(t <= 1)) return std::nullopt;               // not within this motion
   const Point touching = center + t * moving.displacement;
   const double reach = std::min(radius, std::abs(distance));  // overlapping: only as far as the plane
-  return Contact{t, touching - reach * normal, normal, Feature::face};
+  return Contact{t, only(touching - reach * normal), normal, Feature::face};
 }
 //! [sweep_sphere_plane]
 

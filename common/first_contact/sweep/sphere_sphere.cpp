@@ -50,7 +50,7 @@ Vector normal_at_contact(const RelativeMotion& seen) {
 /// The contact with its point, the paper's C = P(t) + r_P N; the paper's N points from P to Q, ours to P.
 Contact contact(const Moving<Sphere>& p, double t, const Vector& normal) {
   const Point center = p.shape.center + t * p.displacement;
-  return {t, center - p.shape.radius * normal, normal, Feature::face};
+  return {t, only(center - p.shape.radius * normal), normal, Feature::face};
 }
 
 }  // namespace

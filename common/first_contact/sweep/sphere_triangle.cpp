@@ -40,7 +40,7 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Triangle& trian
       offer(among_edges(*touch, sides, {&inside, 1}, moving));
   }
   if (!first) return std::nullopt;
-  return Contact{first->time, first->point, first->normal, first->feature};
+  return Contact{first->time, only(first->point), first->normal, first->feature};
 }
 //! [sweep_sphere_triangle]
 

@@ -87,7 +87,7 @@ Contact contact_of(const Turning<Mesh>& turning, double time, const Advance& at,
   const auto& [mover, obstacle] = *at.touch;
   const Vector forwards = turning.angle * turning.axis.cross(mover - turning.center);
   const Vector normal = mover != obstacle ? Vector(mover - obstacle) : Vector(-forwards);
-  return {time, obstacle, normal.stableNormalized(), feature_at(obstacle, triangle, gap), at.triangle};
+  return {time, only(obstacle), normal.stableNormalized(), feature_at(obstacle, triangle, gap), at.triangle};
 }
 
 }  // namespace

@@ -230,7 +230,7 @@ std::uint32_t Verdict::lowest_triangle() const {
 
 std::optional<Contact> Verdict::contact() const {
   if (!first_) return std::nullopt;
-  return Contact{first_->time, first_->point, first_->normal, first_->feature, lowest_triangle()};
+  return Contact{first_->time, only(first_->point), first_->normal, first_->feature, lowest_triangle()};
 }
 
 }  // namespace first_contact::bvh
