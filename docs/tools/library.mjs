@@ -54,14 +54,18 @@ function reachedFrom(files) {
 for (const chapter of chapters)
   reach.set(chapter, reachedFrom(filesBelow(join(root, 'chapters', chapter.folder), (file) => /\.(cpp|hpp)$/.test(file))));
 
-const links = (list) => list.map((chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`).join(', ');
+const link = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`;
+const links = (list) => list.length === chapters.length ? 'all chapters' : list.length > 1 && list.length === chapters.length - 1
+  ? `all chapters but ${link(chapters.find((chapter) => !list.includes(chapter)))}`
+  : `chapter${list.length > 1 ? 's' : ''} ${list.map(link).join(', ')}`;
 
-/// "Told in chapter 1 · The plane; used by the programs of 2 · The box": found in the pages and in the sources.
+/// "told in chapter 1 · The plane; used in chapters 2 · The box, 3 · Partitioning": found in the pages and in the sources.
 export function whereTold(files, snippets) {
   const names = files.map((file) => `common/first_contact/${file}`);
   const told = chapters.filter((chapter) => snippets.some(({file, page}) => page === chapter.id && names.includes(file)));
   const used = chapters.filter((chapter) => !told.includes(chapter) && files.some((file) => reach.get(chapter).has(file)));
-  const parts = [told.length && `told in ${links(told)}`, used.length && `used in ${links(used)}`].filter(Boolean);
+  const rest = told.length && told.length + used.length === chapters.length ? 'all others' : links(used);
+  const parts = [told.length && `told in ${links(told)}`, used.length && `used in ${rest}`].filter(Boolean);
   return parts.length ? `<p class="told">${parts.join('; ')}</p>` : '';
 }
 
