@@ -93,8 +93,8 @@ void draw_lengths(const program::Program& program) {
   figure.draw();
 }
 
-// Two directions that span the plane, the first along the motion where it has one, and to the right in the picture;
-// the second away from the eye.
+// Two directions that span the plane, the first along the motion where it has one, and to the right in the
+// picture; the second away from the eye.
 std::pair<Vector, Vector> directions_in(const Plane& plane, const Vector& motion, const View& view) {
   const Vector n = plane.normal();
   const Vector flat = motion - motion.dot(n) * n;

@@ -6,8 +6,8 @@
 
 namespace first_contact::figure {
 
-/// Brings a scene near the origin and to a size of about 1, whatever the caller's unit and place: so that it can be
-/// drawn, with the few digits that a figure's script has.
+/// Brings a scene near the origin and to a size of about 1, whatever the caller's unit and place: so that
+/// it can be drawn, with the few digits that a figure's script has.
 struct Framing {
   Point origin = Point::Zero();  ///< what becomes the origin
   double unit = 1;               ///< what becomes 1

@@ -9,8 +9,8 @@
 
 namespace first_contact {
 
-/// What all trees consist of: nodes, the root first, and the numbers of their objects, those of each node side by
-/// side, so that a node needs but two places in `order()`.
+/// What all trees consist of: nodes, the root first, and the numbers of their objects, those of each node
+/// side by side, so that a node needs but two places in `order()`.
 template <class NodeOfTree>
 class NodeTree {
  public:
