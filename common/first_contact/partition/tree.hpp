@@ -34,9 +34,10 @@ class NodeTree {
   /// With its objects in that order.
   explicit NodeTree(std::vector<std::uint32_t> order) : order_(std::move(order)) {}
 
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0, work_ = 0;
+  std::vector<Node> nodes_;           ///< the root first
+  std::vector<std::uint32_t> order_;  ///< the objects' numbers
+  std::size_t depth_ = 0;             ///< of the deepest node
+  std::size_t work_ = 0;              ///< objects looked at
 };
 
 /// 0, 1, ..., count - 1: all objects, before a tree has put them in its order.
