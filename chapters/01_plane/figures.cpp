@@ -1,5 +1,9 @@
 #include "figures.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "first_contact/figure/framing.hpp"
 #include "first_contact/figure/scene.hpp"
 
 using namespace first_contact;
@@ -89,27 +93,50 @@ void draw_lengths(const program::Program& program) {
   figure.draw();
 }
 
-// Two directions that span the plane, the first along the motion where it has one.
-std::pair<Vector, Vector> directions_in(const Plane& plane, const Vector& motion) {
+// Two directions that span the plane, the first along the motion where it has one, and to the right in the
+// picture; the second away from the eye.
+std::pair<Vector, Vector> directions_in(const Plane& plane, const Vector& motion, const View& view) {
   const Vector n = plane.normal();
   const Vector flat = motion - motion.dot(n) * n;
-  const Vector u = flat.norm() > 1e-3 * motion.norm() ? Vector(flat.normalized()) : n.unitOrthogonal();
-  return {u, n.cross(u)};
+  Vector u = flat.norm() > 1e-3 * motion.norm() ? Vector(flat.normalized()) : n.unitOrthogonal();
+  if (u.dot(view.right()) < 0) u = -u;
+  Vector v = n.cross(u);
+  if (v.dot(view.eye()) > 0) v = -v;
+  return {u, v};
+}
+
+// The scene of this run, as it can be drawn: near the origin, if it is not, and neither tiny nor huge.
+struct Drawable {
+  Plane plane;
+  Moving<Sphere> ball;
+  std::optional<Contact> contact;
+};
+
+Drawable drawable(const Plane& plane, const Moving<Sphere>& ball, std::optional<Contact> contact) {
+  const auto& [s0, r] = ball.shape;
+  const Vector height = plane.signed_distance(s0) * plane.normal();
+  const Framing framing = Framing::if_needed(s0 - height, {height, ball.displacement, Vector::Constant(r)});
+  if (contact) contact->points.col(0) = framing.point(contact->point());
+  return {Plane(plane.normal(), framing.length(plane.signed_distance(framing.origin))),
+          {{framing.point(s0), framing.length(r)}, framing.length(ball.displacement)},
+          contact};
 }
 
 // The sweep of this run: start, contact or end, and the plane that the centre meets.
-void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Sphere>& ball,
-                const std::optional<Contact>& contact) {
+void draw_sweep(const Studio& studio, const Drawable& drawn) {
+  const auto& [plane, ball, contact] = drawn;
   const auto& [s0, r] = ball.shape;
+  const View view{70, 24};
   const Vector n = std::copysign(1.0, plane.signed_distance(s0)) * plane.normal();
   const Point end = s0 + (contact ? contact->time : 1.0) * ball.displacement;
   const auto foot = [&](const Point& p) { return Point(p - plane.signed_distance(p) * plane.normal()); };
-  const auto [u, v] = directions_in(plane, ball.displacement);
+  const auto [u, v] = directions_in(plane, ball.displacement, view);
   const Point middle = 0.5 * (foot(s0) + foot(end));
-  const double reach = 0.5 * (foot(end) - foot(s0)).norm() + 2.0 * r + 0.1 * ball.displacement.norm();
+  const double reach =
+      std::max(0.2, 0.5 * (foot(end) - foot(s0)).norm() + 2.0 * r + 0.1 * ball.displacement.norm());
   const Vector half_u = reach * u, half_v = 0.7 * reach * v;
 
-  figure::Scene scene({70, 24});
+  figure::Scene scene(view);
   scene.patch(middle, half_u, half_v, {colour::floor, 1, false, plane_edge}, -3);
   scene.disc(foot(s0), n, 0.85 * r, {colour::shadow, 0.6}, -2);
   scene.disc(foot(end), n, 0.85 * r, {colour::shadow}, -1);
@@ -121,7 +148,8 @@ void draw_sweep(const Studio& studio, const Plane& plane, const Moving<Sphere>& 
               {colour::ink, 2.4});
   scene.dot(s0);
   scene.dot(end);
-  scene.label("{/:Italic S}_0", s0 + r * n, 0, 0.9);
+  const Vector over = n.dot(view.up()) > 0.5 ? n : view.up();
+  scene.label("{/:Italic S}_0", s0 + r * over, 0, 0.9);
   scene.label(contact ? "{/:Italic S}({/:Italic t})" : "{/:Italic S}_1", end, 2.0, 0.4);
   scene.label("{/:Bold V}", 0.5 * (s0 + end), 1.2, 0.5, colour::red);
   scene.label("{/:Bold N}", middle - 0.8 * half_u - 0.7 * half_v + r * n, 1.4, -0.4);
@@ -143,5 +171,5 @@ void draw_plane_figures(const program::Program& program, const Plane& plane, con
   draw_definition(program.studio());
   draw_touch(program.studio());
   draw_lengths(program);
-  draw_sweep(program.studio(), plane, ball, contact);
+  draw_sweep(program.studio(), drawable(plane, ball, contact));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "first_contact/figure/framing.hpp"
 #include "first_contact/figure/scene.hpp"
 #include "studies.hpp"
 
@@ -167,8 +168,7 @@ Box thickened(Box box) {
   return box;
 }
 
-// A scene near the origin and about as large as 1, whatever the caller's unit and place: so that it can be
-// drawn.
+// The scene near the origin, and about as large as 1.
 struct Drawable {
   Moving<Box> moving;
   Plane plane;
@@ -179,13 +179,11 @@ Drawable drawable(const Plane& plane, const Moving<Box>& moving, std::optional<C
   const auto& [box, v] = moving;
   const Point origin = on(plane, box.center);
   const Vector height = box.center - origin;
-  double unit = 0;
-  for (const Vector& length : {box.r, box.s, box.t, v, height})
-    unit = std::max(unit, length.cwiseAbs().maxCoeff());
-  if (unit == 0) unit = 1;
-  const Box small{height / unit, box.r / unit, box.s / unit, box.t / unit};
-  if (contact) contact->points = (contact->points.colwise() - origin) / unit;
-  return {Moving{small, Vector(v / unit)}, Plane(plane.normal(), 0), contact};
+  const Framing framing = Framing::about(origin, {box.r, box.s, box.t, v, height});
+  const Box small{framing.point(box.center), framing.length(box.r), framing.length(box.s),
+                  framing.length(box.t)};
+  if (contact) contact->points = (contact->points.colwise() - origin) / framing.unit;
+  return {Moving{small, framing.length(v)}, Plane(plane.normal(), 0), contact};
 }
 
 // The letters of the sweep: centres, motion, normal, planes.

@@ -27,9 +27,9 @@ struct Ground {
 };
 //! [ground]
 
-/// Terrain of 20,000 triangles, the bunny, and a room with a ramp and two steps: the ball wanders, slow to two
-/// radii per frame. Then a level floor of 20,000 triangles, along which it is pushed, and an upright wedge of
-/// 30 degrees, into which it is pushed.
+/// Terrain of 20,000 triangles, the bunny, and a room with a ramp and two steps: the ball wanders, slow to
+/// two radii per frame. Then a level floor of 20,000 triangles, along which it is pushed, and an upright
+/// wedge of 30 degrees, into which it is pushed.
 std::vector<Ground> grounds();
 
 }  // namespace walks

@@ -60,3 +60,28 @@ TEST_CASE("A line meets a triangle behind its point, too, but not a triangle in 
   CHECK_FALSE(weights_where_line_meets({1, 1, 0}, {1, 0, 0}, tile));
   CHECK_FALSE(weights_where_line_meets({1, 1, 0}, {0, 0, 0}, tile));
 }
+
+// Found by ./course verify: the rounding of the cross product had turned the normal along the triangle.
+TEST_CASE("A ray through a long and thin triangle hits it") {
+  const Triangle thin({602.04801044116209, 218.87750812808028, -266.73390891094459},
+                      {263.42768149370244, 312.31685232063819, -323.47214473585933},
+                      {429.04806078518362, 266.60026356152775, -295.69824912495829});
+  const auto hit = sweep(Moving<Point>{{404.45593038290508, 271.82174490704898, -295.96340636994853},
+                                       {12.65642020376484, 1.7311458444456203, -10.726442057929331}},
+                         thin);
+  REQUIRE(hit);
+  CHECK(hit->feature == Feature::face);
+  CHECK(hit->time == Approx(0.30107085387007654).epsilon(1e-12));  // by exact fractions
+}
+
+// The far corners are rounded coarsely, as seen from the near one.
+TEST_CASE("A ray through a large triangle, close to one of its corners, hits it") {
+  const Triangle large({9625.3363577164455, -2613.9737799195195, 721.13873749448612},
+                       {2245.770793042293, 9175.0748707912644, 3282.4555839329828},
+                       {1519.6754738891034, 2997.5226760222999, -9418.3567707319307});
+  const auto hit = sweep(Moving<Point>{{2364.6880878404195, 9100.3157567116068, 3150.5643904401272},
+                                       {-114.24726821652952, -4.4054179296532725, 86.344581021173184}},
+                         large);
+  REQUIRE(hit);
+  CHECK(hit->time == Approx(0.7805622059580964).epsilon(1e-12));  // by exact fractions
+}

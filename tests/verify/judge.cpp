@@ -163,8 +163,8 @@ class Path {
   truth::Vec<Real> start_, travel_;
 };
 
-/// A point cannot be nearer to a face than its radius, which is 0; but where it goes through, it must hit: if its
-/// path, seen from its start, has all sides of the face on the same hand, and none within the bound.
+/// A point cannot be nearer to a face than its radius, which is 0; but where it goes through, it must hit:
+/// if its path, seen from its start, has all sides of the face on the same hand, and none within the bound.
 template <class Real>
 std::optional<Real> goes_through(const Witness<Real>& one, const Path<Real>& path) {
   const auto& [a, b, c] = one.triangle;
@@ -174,7 +174,8 @@ std::optional<Real> goes_through(const Witness<Real>& one, const Path<Real>& pat
   return path.passes(a, b, c, one.bound);
 }
 
-/// ... as it must where it goes through two faces with a side in common, on that side or beside it: through their outline.
+/// ... as it must where it goes through two faces with a side in common, on that side or beside it: through
+/// their outline.
 template <class Real>
 std::optional<Real> goes_through_seam(const Witness<Real>& one, const Witness<Real>& other,
                                       const Path<Real>& path) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 namespace first_contact {
 
@@ -14,13 +13,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // From this depth on parts are halved by number, so that no arrangement of objects makes the tree much
 // deeper.
 constexpr std::size_t deepest_by_surface = 64;
-
-std::vector<Bounds> bounds_of_each(std::span<const Triangle> polygons) {
-  std::vector<Bounds> all;
-  all.reserve(polygons.size());
-  for (const Triangle& polygon : polygons) all.push_back(bounds_of(polygon));
-  return all;
-}
 
 // What a part is expected to cost: half its surface times its number of objects.
 struct Part {
@@ -82,8 +74,8 @@ void improve(Cut& best, const std::array<Part, bin_count>& bins, int axis) {
 BoxTree::BoxTree(std::span<const Triangle> polygons, const BoxTreeLimits& limits)
     : BoxTree(bounds_of_each(polygons), limits) {}
 
-BoxTree::BoxTree(std::span<const Bounds> objects, const BoxTreeLimits& limits) : order_(objects.size()) {
-  std::iota(order_.begin(), order_.end(), 0U);
+BoxTree::BoxTree(std::span<const Bounds> objects, const BoxTreeLimits& limits)
+    : NodeTree(all_in_order(objects.size())) {
   nodes_.push_back({bounds_of(objects), 0, 0, static_cast<std::uint32_t>(objects.size())});
   divide(0, objects, limits, 0);
 }

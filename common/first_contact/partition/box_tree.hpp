@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "first_contact/partition/search.hpp"
+#include "first_contact/partition/tree.hpp"
 
 namespace first_contact {
 
@@ -12,27 +13,27 @@ struct BoxTreeLimits {
   std::size_t capacity = 4;  ///< a node with no more objects than this is a leaf
 };
 
+/// The box around some objects: divided in two, or a leaf.
+struct BoxTreeNode {
+  Bounds bounds;                  ///< of its objects
+  std::uint32_t first_child = 0;  ///< the number of the first of two; 0 for a leaf
+  ///@{
+  /// Its objects: places in `order()`.
+  std::uint32_t begin = 0, end = 0;
+  ///@}
+
+  /// Is it not divided?
+  bool is_leaf() const { return first_child == 0; }
+};
+
 /// A tree of boxes over objects that are known by their bounds (bounding volume hierarchy, BVH): the box
 /// around all, and the boxes around two parts of them, and so on. Each object is in one leaf only; boxes may
 /// overlap, but none is larger than what it holds.
 ///
 /// Where to cut is told by the surface area heuristic (Goldsmith and Salmon 1987), looked for among 15 cuts
 /// along each axis (Wald 2007).
-class BoxTree {
+class BoxTree : public NodeTree<BoxTreeNode> {
  public:
-  /// The box around some objects: divided in two, or a leaf.
-  struct Node {
-    Bounds bounds;                  ///< of its objects
-    std::uint32_t first_child = 0;  ///< the number of the first of two; 0 for a leaf
-    ///@{
-    /// Its objects: places in `order()`.
-    std::uint32_t begin = 0, end = 0;
-    ///@}
-
-    /// Is it not divided?
-    bool is_leaf() const { return first_child == 0; }
-  };
-
   /// Of objects, by their bounds.
   explicit BoxTree(std::span<const Bounds> objects, const BoxTreeLimits& limits = {});
   /// Of polygons, by their bounds.
@@ -42,26 +43,11 @@ class BoxTree {
   /// from which the motion comes is shown first.
   void search(Search& search) const;
 
-  /// How many nodes there are.
-  std::size_t nodes() const { return nodes_.size(); }
-  /// The depth of the deepest; the root's is 0.
-  std::size_t depth() const { return depth_; }
-  /// How many times an object was looked at to build the tree.
-  std::size_t work() const { return work_; }
-  /// The root has number 0.
-  const Node& node(std::size_t i) const { return nodes_[i]; }
-  /// The objects' numbers, those of each node side by side.
-  const std::vector<std::uint32_t>& order() const { return order_; }
-
  private:
   void divide(std::size_t node, std::span<const Bounds> objects, const BoxTreeLimits& limits,
               std::size_t depth);
   std::uint32_t cut(const Node& parent, std::span<const Bounds> objects);
   void show(std::size_t node, Search& search, std::size_t depth) const;
-
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<BoxTree>);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "first_contact/partition/search.hpp"
+#include "first_contact/partition/tree.hpp"
 
 namespace first_contact {
 
@@ -17,6 +18,22 @@ struct BspLimits {
   std::size_t growth = 8;       ///< there may be this many pieces to a polygon on the average
 };
 
+/// A part of space: cut by a plane, or a leaf.
+struct BspNode {
+  std::optional<Plane> plane;  ///< none: a leaf
+  ///@{
+  /// The number of a child.
+  std::uint32_t front = 0, back = 0;
+  ///@}
+  ///@{
+  /// Its polygons, within the plane, or all of a leaf: places in `order()`.
+  std::uint32_t begin = 0, end = 0;
+  ///@}
+
+  /// Is it not cut any more?
+  bool is_leaf() const { return !plane; }
+};
+
 /// A BSP tree over polygons (paper, 1.4): the plane of one polygon divides space and the other polygons into
 /// what is in front of it and what is behind; then each half is divided likewise. Polygons within the plane
 /// stay at the node.
@@ -24,41 +41,14 @@ struct BspLimits {
 /// A polygon on both sides is cut in two, but only to find out where it belongs: the tree keeps the polygon's
 /// number on both sides, and what is tested in the end is the polygon as it was given. So there are no new
 /// vertices, whose rounding would open cracks, and no touch of an edge that is but a cut.
-class BspTree {
+class BspTree : public NodeTree<BspNode> {
  public:
-  /// A part of space: cut by a plane, or a leaf.
-  struct Node {
-    std::optional<Plane> plane;  ///< none: a leaf
-    ///@{
-    /// The number of a child.
-    std::uint32_t front = 0, back = 0;
-    ///@}
-    ///@{
-    /// Its polygons, within the plane, or all of a leaf: places in `order()`.
-    std::uint32_t begin = 0, end = 0;
-    ///@}
-
-    /// Is it not cut any more?
-    bool is_leaf() const { return !plane; }
-  };
-
   /// Cuts space by the planes of the polygons until few are left in each part.
   explicit BspTree(std::span<const Triangle> polygons, const BspLimits& limits = {});
 
   /// Shows a search all parts of space that it reaches, those first to which the motion comes first, and
   /// tests the polygons there.
   void search(Search& search) const;
-
-  /// How many nodes there are.
-  std::size_t nodes() const { return nodes_.size(); }
-  /// The depth of the deepest; the root's is 0.
-  std::size_t depth() const { return depth_; }
-  /// How many times a polygon, or a piece of one, was looked at to build the tree.
-  std::size_t work() const { return work_; }
-  /// The root has number 0.
-  const Node& node(std::size_t i) const { return nodes_[i]; }
-  /// The polygons' numbers, those of each node side by side; those that were cut more than once.
-  const std::vector<std::uint32_t>& order() const { return order_; }
 
   /// A polygon counts as within a plane if it is no further from it than this, in units of the largest
   /// coordinate: about ten times what rounding makes of a square of many triangles.
@@ -69,10 +59,6 @@ class BspTree {
   using Shown = std::unordered_set<std::uint32_t>;
   void show(std::size_t node, Search& search, const Passage& part, Shown& shown, std::size_t depth) const;
   void test(const Node& node, Search& search, Shown& shown) const;
-
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<BspTree>);

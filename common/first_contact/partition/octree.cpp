@@ -2,18 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace first_contact {
 
 namespace {
-
-std::vector<Bounds> bounds_of_each(std::span<const Triangle> polygons) {
-  std::vector<Bounds> all;
-  all.reserve(polygons.size());
-  for (const Triangle& polygon : polygons) all.push_back(bounds_of(polygon));
-  return all;
-}
 
 // Which of a cube's eight parts a point is in: bits 0, 1, 2 are set beyond the middle in x, y, z.
 unsigned octant_of(const Point& point, const Point& middle) {
@@ -32,7 +24,7 @@ Point corner_of(unsigned octant, const Point& low, const Point& middle) {
 }
 
 // The cube around the objects' centres, which are what is divided.
-Octree::Node cube_around(std::span<const Bounds> objects) {
+OctreeNode cube_around(std::span<const Bounds> objects) {
   Bounds centers;
   for (const Bounds& object : objects) centers.include(object.center());
   if (objects.empty()) return {{}, Point::Zero(), 0};
@@ -44,8 +36,8 @@ Octree::Node cube_around(std::span<const Bounds> objects) {
 Octree::Octree(std::span<const Triangle> polygons, const OctreeLimits& limits)
     : Octree(bounds_of_each(polygons), limits) {}
 
-Octree::Octree(std::span<const Bounds> objects, const OctreeLimits& limits) : order_(objects.size()) {
-  std::iota(order_.begin(), order_.end(), 0U);
+Octree::Octree(std::span<const Bounds> objects, const OctreeLimits& limits)
+    : NodeTree(all_in_order(objects.size())) {
   nodes_.push_back(cube_around(objects));
   nodes_[0].end = static_cast<std::uint32_t>(objects.size());
   divide(0, objects, limits, 0);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "first_contact/partition/search.hpp"
+#include "first_contact/partition/tree.hpp"
 
 namespace first_contact {
 
@@ -11,6 +12,21 @@ namespace first_contact {
 struct OctreeLimits {
   std::size_t capacity = 8;  ///< a node with no more objects than this is a leaf
   std::size_t depth = 20;    ///< a node this deep is a leaf; the root's depth is 0
+};
+
+/// A cube: divided into eight, or a leaf.
+struct OctreeNode {
+  Bounds bounds;                  ///< of its objects; empty if it has none
+  Point low;                      ///< the lowest corner of its cube
+  double side;                    ///< the length of the cube's edges
+  std::uint32_t first_child = 0;  ///< the number of the first of eight; 0 for a leaf
+  ///@{
+  /// Its objects: places in `order()`.
+  std::uint32_t begin = 0, end = 0;
+  ///@}
+
+  /// Is it not divided?
+  bool is_leaf() const { return first_child == 0; }
 };
 
 /// An octree over objects that are known by their bounds (paper, 1.4): a cube, cut into eight equal ones, and
@@ -21,23 +37,8 @@ struct OctreeLimits {
 /// whose looseness is not a fixed factor but as small as the objects allow. The other way, to refer to an
 /// object from every leaf that it overlaps, keeps the cubes disjoint, but finds an object several times, and
 /// a large one among many small ones is noted in nearly every leaf.
-class Octree {
+class Octree : public NodeTree<OctreeNode> {
  public:
-  /// A cube: divided into eight, or a leaf.
-  struct Node {
-    Bounds bounds;                  ///< of its objects; empty if it has none
-    Point low;                      ///< the lowest corner of its cube
-    double side;                    ///< the length of the cube's edges
-    std::uint32_t first_child = 0;  ///< the number of the first of eight; 0 for a leaf
-    ///@{
-    /// Its objects: places in `order()`.
-    std::uint32_t begin = 0, end = 0;
-    ///@}
-
-    /// Is it not divided?
-    bool is_leaf() const { return first_child == 0; }
-  };
-
   /// Of objects, by their bounds.
   explicit Octree(std::span<const Bounds> objects, const OctreeLimits& limits = {});
   /// Of polygons, by their bounds.
@@ -47,26 +48,11 @@ class Octree {
   /// the motion comes is shown first.
   void search(Search& search) const;
 
-  /// How many nodes there are.
-  std::size_t nodes() const { return nodes_.size(); }
-  /// The depth of the deepest; the root's is 0.
-  std::size_t depth() const { return depth_; }
-  /// How many times an object was looked at to build the tree.
-  std::size_t work() const { return work_; }
-  /// The root has number 0.
-  const Node& node(std::size_t i) const { return nodes_[i]; }
-  /// The objects' numbers, those of each node side by side.
-  const std::vector<std::uint32_t>& order() const { return order_; }
-
  private:
   void divide(std::size_t node, std::span<const Bounds> objects, const OctreeLimits& limits,
               std::size_t depth);
   void distribute(const Node& parent, std::span<const Bounds> objects);
   void show(std::size_t node, Search& search, unsigned nearest, std::size_t depth) const;
-
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> order_;
-  std::size_t depth_ = 0, work_ = 0;
 };
 
 static_assert(Partition<Octree>);

@@ -5,8 +5,8 @@
 
 namespace first_contact::program {
 
-/// Reads a mesh as `read_mesh` does. While a large file is read, and standard error is a terminal, a line there
-/// tells how far it is; it is gone when the reading ends, well or not.
+/// Reads a mesh as `read_mesh` does. While a large file is read, and standard error is a terminal, a line
+/// there tells how far it is; it is gone when the reading ends, well or not.
 /// \throws MeshFileError as `read_mesh`
 Mesh load_mesh(const std::filesystem::path& file);
 

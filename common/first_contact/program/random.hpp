@@ -5,9 +5,9 @@
 #include "first_contact/geometry/space.hpp"
 
 /// \file
-/// Random numbers that are the same on every computer. The standard lays down every bit of its generators, but
-/// leaves the distributions to the library; so numbers are made of the bits here, by arithmetic that is exact
-/// or rounded alike everywhere.
+/// Random numbers that are the same on every computer. The standard lays down every bit of its generators,
+/// but leaves the distributions to the library; so numbers are made of the bits here, by arithmetic that is
+/// exact or rounded alike everywhere.
 
 namespace first_contact::program {
 
@@ -36,8 +36,8 @@ class Random {
 /// Evenly spread over [-1, 1].
 inline double uniform(std::mt19937& random) { return static_cast<double>(random()) / 2147483647.5 - 1; }
 
-/// Of length 1, its directions evenly spread: of the vectors of a cube those that are neither too long nor too
-/// short, shortened or drawn out.
+/// Of length 1, its directions evenly spread: of the vectors of a cube those that are neither too long nor
+/// too short, shortened or drawn out.
 inline Vector unit_vector(std::mt19937& random) {
   Vector v;
   do v = {uniform(random), uniform(random), uniform(random)};

@@ -6,8 +6,8 @@
 
 namespace first_contact::program {
 
-/// The surface z = height(x, y) over the square from (0, 0) to (side, side), in 2 n n triangles. The height is
-/// asked for once at each vertex, row by row.
+/// The surface z = height(x, y) over the square from (0, 0) to (side, side), in 2 n n triangles. The height
+/// is asked for once at each vertex, row by row.
 Mesh height_field(std::uint32_t n, double side, const std::function<double(double x, double y)>& height);
 
 /// A bumpy terrain of 2 n n triangles over the square from (0, 0) to (64, 64): hills of three sizes, and each

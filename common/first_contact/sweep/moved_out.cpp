@@ -16,6 +16,9 @@ namespace {
 /// A path that halves its distance from the truth in every step has reached it, in double, after this many.
 constexpr int enough_steps = 64;
 
+/// A path at a smaller angle to a plane, in radians, crosses it at no certain time.
+constexpr double flat = 0x1p-30;
+
 /// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the
 /// time is then wrong although the hit is not. The distance itself knows no normal, and falls along the path
 /// ever more slowly: Newton's steps lead to r from any time, and never beyond it from an earlier one. In
@@ -59,9 +62,10 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
 
   const double tolerance =
       rounding_of_distance * (m.norm() + facet.longest + moving.displacement.norm() + radius);
-  // A point goes through: its distance is least where it is 0, and Newton's steps would leap to and fro.
-  const auto t = gap > 0 && radius > 0 ? settled(-gap / approach, moving, facet.triangle, tolerance)
-                                       : std::max(0.0, -gap / approach);
+  auto t = gap > 0 ? settled(-gap / approach, moving, facet.triangle, tolerance) : 0.0;
+  // A point goes through: its distance is least where it is 0, and at a thin triangle Newton's steps may leap
+  // to and fro. There the plane's own time will do, but not that of a path within the plane.
+  if (!t && radius == 0 && -approach > flat * facet.length * moving.displacement.norm()) t = -gap / approach;
   if (!t) return std::nullopt;
   const double distance = std::min(radius, std::abs(height) / facet.length);
   return Touch{
