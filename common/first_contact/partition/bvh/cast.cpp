@@ -80,6 +80,11 @@ bool Cast::enter(const Moving<Sphere>& moving, const Space& space) {
 void Cast::note_latest() {
   const double latest = std::min(verdict_.latest(), hoped_);
   if (latest > 1) return;
+  if (verdict_.depth() > 0) {
+    const double depth = parts_.space.length(verdict_.depth());
+    walk_.latest = static_cast<float>(walk_.radius * 0x1p-22 - depth);
+    return;
+  }
   const double tau = (latest - from_ + 4 * eps) / width_;
   if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
