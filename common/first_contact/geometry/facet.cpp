@@ -8,11 +8,15 @@ namespace first_contact {
 
 CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   const Vector ab = b - a, bc = c - b, ca = a - c;
-  longest = std::sqrt(std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()}));
-  const bool at_a = bc.squaredNorm() >= std::max(ab.squaredNorm(), ca.squaredNorm());
-  const bool at_b = !at_a && ca.squaredNorm() >= ab.squaredNorm();
+  const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
+  const double longest2 = std::max({ab2, bc2, ca2});
+  longest = std::sqrt(longest2);
+  const bool at_a = bc2 >= std::max(ab2, ca2);
+  const bool at_b = !at_a && ca2 >= ab2;
   corner = at_a ? a : at_b ? b : c;
   normal = at_a ? ca.cross(ab) : at_b ? ab.cross(bc) : bc.cross(ca);
+  const double sides2 = at_a ? ca2 * ab2 : at_b ? ab2 * bc2 : bc2 * ca2;
+  steady = 4 * normal.squaredNorm() >= sides2 && sides2 > 0;
 }
 
 Facet::Facet(const Triangle& t)

@@ -99,7 +99,7 @@ void Cast::consider(const Place& place, bool overlapping) {
       walker_.features_in_time(question_, surface.position(a).data(), surface.position(b).data(),
                                surface.position(c).data(), latest, overlapping);
   if (overlapping || !hopeful_ || found.features == 0) {
-    verdict_.consider(place, found.features);
+    verdict_.consider(place, found.features, found.within);
   } else {
     if (postponed_count_ == postponed_.size()) consider_postponed();
     postponed_[postponed_count_++] = {&place, found, earliest(found)};
@@ -113,7 +113,7 @@ void Cast::consider_postponed() {
   std::sort(postponed_.begin(), end,
             [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
   std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
-    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found));
+    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found), p.found.within);
   });
   postponed_count_ = 0;
 }

@@ -25,7 +25,8 @@ class Verdict {
   /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc,
   /// ca, the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be
   /// touched where another one is.
-  void consider(const Place& place, unsigned features);
+  /// \param within_face  \see touch_face
+  void consider(const Place& place, unsigned features, bool within_face = false);
   /// All of them.
   void consider(const Place& place) { consider(place, 127); }
   /// Begins once more, as if nothing had been considered.

@@ -56,6 +56,7 @@ struct Question {
 /// What of a triangle may be touched in time.
 struct Found {
   unsigned features;  ///< one bit each: the face, the edges ab, bc, ca, the vertices a, b, c
+  bool within;        ///< if it is the face that is touched, then surely far from its sides
   double early[7];    ///< those with a bit are not touched before
   double late;  ///< by then the triangle is touched, as far as can be seen; infinite if that is not clear
 };
