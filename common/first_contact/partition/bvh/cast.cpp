@@ -131,13 +131,23 @@ bool Cast::done() {
 }
 //! [consider]
 
-//! [decide]
-/// The nearest first: often it makes the others too late.
-void Cast::decide() {
+void Cast::fetch_places() const {
+  const Place* places = tree_.places + walk_.leaf->first;
+  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
+    __builtin_prefetch(&places[std::countr_zero(left)]);
+}
+
+void Cast::fetch_corners() const {
   const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
     for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
       __builtin_prefetch(&parts_.surface->position(vertex));
+}
+
+//! [decide]
+/// The nearest first: often it makes the others too late.
+void Cast::decide() {
+  const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
@@ -152,15 +162,34 @@ void Cast::decide() {
 void Cast::run() {
   if (!near_) return;
   do
-    while (walker_.next(tree_, walk_) == Stop::survivors) decide();
+    while (walker_.next(tree_, walk_) == Stop::survivors) {
+      fetch_corners();
+      decide();
+    }
   while (!done());
 }
 
 bool Cast::step() {
   if (!near_) return false;
-  const Stop stop = walker_.step(tree_, walk_);
-  if (stop == Stop::survivors) decide();
-  return stop != Stop::end || !done();
+  switch (awaited_) {
+    case Awaited::tree: {
+      const Stop stop = walker_.step(tree_, walk_);
+      if (stop == Stop::end) return !done();
+      if (stop == Stop::survivors) {
+        fetch_places();
+        awaited_ = Awaited::places;
+      }
+      break;
+    }
+    case Awaited::places:
+      fetch_corners();
+      awaited_ = Awaited::corners;
+      break;
+    case Awaited::corners:
+      decide();
+      awaited_ = Awaited::tree;
+  }
+  return true;
 }
 
 }  // namespace first_contact::bvh

@@ -28,6 +28,8 @@ class Cast {
 
  private:
   bool enter(const Moving<Sphere>& moving, const Space& space);
+  void fetch_places() const;
+  void fetch_corners() const;
   void decide();
   void consider(const Place& place, bool overlapping);
   void note_latest();
@@ -41,6 +43,8 @@ class Cast {
   bool near_ = false;            // does the sphere come near the mesh at all?
   double from_ = 0, width_ = 1;  // the time when it does, and for how long
   Question question_;
+  /// What is on its way from memory.
+  enum class Awaited { tree, places, corners } awaited_ = Awaited::tree;
 
   /// A triangle of which some features are touched, perhaps.
   struct Postponed {

@@ -37,11 +37,10 @@ bool in_box(const Point& p, const Point& a, const Point& b, const Point& c, doub
 
 template <class Key>
 bool Verdict::Recent<Key>::seen(const Key& k) {
-  const std::size_t filled = std::min(count, key.size());
-  for (std::size_t i = 0; i < filled; ++i)
-    if (key[i] == k) return true;
-  key[count++ % key.size()] = k;
-  return false;
+  Key& place = key[(k ^ k / key.size()) % key.size()];
+  const bool known = place == k + 1;
+  place = k + 1;
+  return known;
 }
 
 void Verdict::consider(const Place& place, unsigned features, bool within_face) {
@@ -61,7 +60,8 @@ void Verdict::forget() {
   first_.reset();
   considered_.count = 0;
   considered_.more.clear();
-  edges_.count = vertices_seen_.count = 0;
+  edges_ = {};
+  vertices_seen_ = {};
 }
 
 void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {

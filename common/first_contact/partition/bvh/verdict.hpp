@@ -48,8 +48,7 @@ class Verdict {
   /// Remembers some features that were considered, since neighbouring triangles share them.
   template <class Key>
   struct Recent {
-    std::array<Key, 8> key{};
-    std::size_t count = 0;
+    std::array<Key, 32> key{};  // each in a place of its own; + 1, so that 0 is none
     bool seen(const Key& k);
   };
 
