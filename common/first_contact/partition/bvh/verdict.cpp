@@ -37,6 +37,8 @@ bool in_box(const Point& p, const Point& a, const Point& b, const Point& c, doub
 
 template <class Key>
 bool Verdict::Recent<Key>::seen(const Key& k) {
+  if (!filled) key.fill(0);
+  filled = true;
   Key& place = key[(k ^ k / key.size()) % key.size()];
   const bool known = place == k + 1;
   place = k + 1;
@@ -60,8 +62,7 @@ void Verdict::forget() {
   first_.reset();
   considered_.count = 0;
   considered_.more.clear();
-  edges_ = {};
-  vertices_seen_ = {};
+  edges_.filled = vertices_seen_.filled = false;
 }
 
 void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {

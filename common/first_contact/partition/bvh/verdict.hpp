@@ -48,7 +48,8 @@ class Verdict {
   /// Remembers some features that were considered, since neighbouring triangles share them.
   template <class Key>
   struct Recent {
-    std::array<Key, 32> key{};  // each in a place of its own; + 1, so that 0 is none
+    std::array<Key, 32> key;  // each in a place of its own; + 1, so that 0 is none
+    bool filled = false;      // most casts ask for nothing here, and need no zeros
     bool seen(const Key& k);
   };
 
