@@ -14,8 +14,7 @@ namespace first_contact::bvh {
 /// only what is touched at the very end is worth the long tests of the verdict. They may show that this hope
 /// was false, where the sphere leaves what it overlaps at the start, or slides along a seam: then nothing is
 /// touched by the time that was hoped for, and the cast is done once more, each triangle decided in its turn.
-/// So hope never changes the answer. It equals deciding at once. Measured: on a million triangles a hop
-/// from .50 to .36 of the plain tree, a long cast from .50 to .29.
+/// So hope never changes the answer. It equals deciding at once.
 class Cast {
  public:
   Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk);

@@ -50,8 +50,8 @@ void Verdict::consider(const Place& place, unsigned features, bool within_face) 
   if (features == 0) return;
   const auto& corners = place.corner;
   if (features & 1)
-    keep(touch_face(moving_, Facet(surface_.triangle(place)), within_face), {corners[0], corners[1], corners[2]},
-         place.number);
+    keep(touch_face(moving_, Facet(surface_.triangle(place)), within_face),
+         {corners[0], corners[1], corners[2]}, place.number);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
   for (std::size_t slot = 0; slot < 3; ++slot)

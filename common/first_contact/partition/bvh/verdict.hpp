@@ -15,9 +15,7 @@ namespace first_contact::bvh {
 ///
 /// The idea: it asks what the plain sweep asks (sphere_mesh.cpp), by the same functions and in the same order
 /// of precedence, but only of the faces, edges and vertices that come near, and works out what lies around
-/// them when it must. So the answer is that of the plain sweep, bit for bit. Measured: the plain sweep's own
-/// test of a ridge or a peak takes 300 to 900 ns for the faces around it; the test for the clear case, in
-/// which all of them lead away from the sphere, 30 to 60.
+/// them when it must. So the answer is that of the plain sweep, bit for bit.
 class Verdict {
  public:
   Verdict(const Surface& surface, const Moving<Sphere>& sphere) : surface_(surface), moving_(sphere) {}
@@ -35,7 +33,7 @@ class Verdict {
   double latest() const { return first_ ? first_->time : 2; }
   /// How deep the sphere is, at the start, in the face that is then the first contact so far; or else 0. Of
   /// contacts at the start faces win, and of faces the nearest: what is farther away than this one, by more
-  /// than rounding, does not matter any more. Measured: ...
+  /// than rounding, does not matter any more. \see limits.inc
   double depth() const {
     const bool in_face = first_ && first_->time == 0 && first_->feature == Feature::face;
     return in_face ? moving_.shape.radius - first_->distance : 0;
@@ -48,7 +46,7 @@ class Verdict {
   /// Remembers some features that were considered, since neighbouring triangles share them.
   template <class Key>
   struct Recent {
-    std::array<Key, 32> key;  // each in a place of its own; + 1, so that 0 is none
+    std::array<Key, 32> key;  // + 1, so that 0 is none; each has a place, where the last one that came stays
     bool filled = false;      // most casts ask for nothing here, and need no zeros
     bool seen(const Key& k);
   };

@@ -35,8 +35,8 @@ struct Walk {
   float reach;                // radius + error
   float slab_slack;           // error for slabs; less than 0: slabs are not worth their time
   float length;               // of the travel, rounded up
-  int near_row[3];   // 1 where the travel is negative: the path then enters at the high side
-  int waiting;       // entries on the stack
+  int near_row[3];            // 1 where the travel is negative: the path then enters at the high side
+  int waiting;                // entries on the stack
   struct Entry {
     Ref ref;
     float time;
@@ -56,7 +56,7 @@ struct Question {
 /// What of a triangle may be touched in time.
 struct Found {
   unsigned features;  ///< one bit each: the face, the edges ab, bc, ca, the vertices a, b, c
-  bool within;        ///< if it is the face that is touched, then surely far from its sides
+  bool within;        ///< it is the face, and surely far from its sides: \see touch_face
   double early[7];    ///< those with a bit are not touched before
   double late;  ///< by then the triangle is touched, as far as can be seen; infinite if that is not clear
 };
