@@ -5,9 +5,10 @@ import {binaries, build, chapters, data, html, otherPages, stopIfWrong} from './
 import {runDoxygen} from './tools/doxygen.mjs';
 import {finish} from './tools/finish.mjs';
 import {chapterFoot, chapterHead, chapterList, chapterMap} from './tools/generated.mjs';
+import {libraryTable} from './tools/library.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
 import {runNamed, runPrograms} from './tools/values.mjs';
-import {shown, weave} from './tools/weave.mjs';
+import {prose, shown, weave} from './tools/weave.mjs';
 
 const pages = join(build, 'pages');
 rmSync(pages, {recursive: true, force: true});
@@ -26,7 +27,8 @@ for (const chapter of chapters) {
                                          : weave({...rest, source: chapter.source});
   writeFileSync(join(pages, chapter.id + '.md'), text);
 }
-const generated = {map: chapterMap(), chapters: chapterList(), bibliography: bibliography(), 'paper-map': paperTable(), errata: errataTable()};
+const generated = {map: chapterMap(), chapters: chapterList(), bibliography: bibliography(), 'paper-map': paperTable(), errata: errataTable(),
+                   library: libraryTable((words) => prose(words, 'library.md'))};
 for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated}));
 stopIfWrong('weaving the pages');
 

@@ -1,20 +1,27 @@
 // The print edition: all chapters in one PDF with its figures as vectors, printed by Chromium from the finished pages.
-import {writeFileSync} from 'node:fs';
+// It is printed twice: the first time tells on which page each part begins, the second has that in its contents.
+import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 import {executable} from './checks/browser.mjs';
-import {build, chapters, html, otherPages, read} from './tools/book.mjs';
-import {chapterList, chapterMap} from './tools/generated.mjs';
+import {build, chapters, escape, html, otherPages, read} from './tools/book.mjs';
+import {chapterMap} from './tools/generated.mjs';
 
-const back = otherPages.filter((page) => !page.front);
+const goesOn = (part) => part.library && part.folder;
+const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...otherPages.filter(({front}) => !front)];
+
+// Files that are folded on their page would be half of the book: here their names lead to them.
+const withoutWholeFiles = (text) => text.replace(
+  /<details class="listing whole"([^>]*)><summary>([\s\S]*?)<\/summary>[\s\S]*?<\/details>/g, '<p class="elsewhere"$1>$2</p>');
 
 // The body of a finished page, its anchors made its own so that pages can stand in one file.
-function bodyOf({id, page}) {
+function bodyOf({id, page, ...part}) {
   const text = read(html, page);
   const title = /<h1 class="title">[\s\S]*?<\/h1>/.exec(text)[0];
   const inner = /<div class="textblock">([\s\S]*)<\/div>\s*<\/div><!-- contents -->/.exec(text)[1];
-  const body = title + inner.replace(/<nav class="turn"[\s\S]*?<\/nav>/, '');
+  const columns = goesOn(part) ? `<div class="columns">${inner}</div>` : inner;
+  const body = withoutWholeFiles(title + columns.replace(/<nav class="turn"[\s\S]*?<\/nav>/, ''));
   const glyphs = /<svg class="glyphs"[\s\S]*?<\/svg>/.exec(text)?.[0] ?? '';
   const own = (name) => `${id}--${name}`;
   return (glyphs + body)
@@ -22,33 +29,65 @@ function bodyOf({id, page}) {
       .replace(/\b((?:xlink:)?href)=(["'])#([^"']+)\2/g, (_, attribute, quote, name) => `${attribute}=${quote}#${own(name)}${quote}`)
       .replace(/url\(#([^)]+)\)/g, (_, name) => `url(#${own(name)})`)
       .replace(/\bhref="([\w-]+\.html)(?:#([^"]+))?"/g, (whole, target, name) => {
-        const other = [...chapters, ...otherPages].find((each) => each.page === target);
+        const other = parts.find((each) => each.page === target);
         return other ? `href="#${name ? `${other.id}--${name}` : other.id}"` : '';
       })
       .replace(/<details /g, '<details open ');
 }
 
-function assemble() {
+const running = ({number, title}) => (number ? `${number} · ` : '') + title;
+
+// Each part has pages of its own name, with its title at their foot; the folders of the library go on where it ends.
+const pageRules = () => parts.map((part) => (goesOn(part) ? '' :
+  `@page ${part.id} { @bottom-left { content: ${JSON.stringify(running(part))}; } } `) +
+  `#${part.id} { page: ${goesOn(part) ? 'library' : part.id}; }`).join('\n');
+
+function entry(part, pages) {
+  const about = part.question ? `<small>${escape(part.question)}</small>` : '';
+  return `<li><a href="#${part.id}"><span class="number">${part.number ?? ''}</span><span class="name">${escape(part.title)}${about}</span>` +
+         `<span class="page">${pages.get(part.id) ?? ''}</span></a></li>`;
+}
+
+function assemble(pages) {
   const style = (name) => `<style>${read(html, name)}</style>`;
-  const entry = (page) => `<li><a href="#${page.id}">${page.number ? `<span class="number">${page.number}</span> ` : ''}${page.title}</a>` +
-                          `<span class="page" data-page="${page.id}"></span></li>`;
-  const part = (page) => `<article id="${page.id}"><div class="contents"><div class="textblock">${bodyOf(page)}</div></div></article>`;
-  const ordered = [otherPages[1], ...chapters, ...back];
+  const article = (part) => `<article id="${part.id}"${goesOn(part) ? ' class="goes-on"' : ''}><div class="contents"><div class="textblock">${bodyOf(part)}</div></div></article>`;
   return `<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` +
-    ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') + '</head><body class="book"><main>' +
+    ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') +
+    `<style>@media print { ${pageRules()} }</style></head><body class="book"><main>` +
     `<section class="title-page"><h1>First Contact</h1><p class="what">Collision detection and tweened animation,<br>chapter by chapter</p>` +
     `<p class="chinese" lang="zh-Hant">碰撞偵測與補間動畫</p>${chapterMap()}<p class="after">After Shing-Min Hu, 胡興民, 〈以補間動畫實作碰撞偵測〉</p></section>` +
-    `<section class="toc"><h1>Contents</h1><ul>${ordered.map(entry).join('')}</ul></section>` +
-    ordered.map(part).join('') + '</main></body></html>';
+    `<section class="toc"><h1>Contents</h1><ul>${parts.filter((part) => !goesOn(part)).map((part) => entry(part, pages)).join('')}</ul></section>` +
+    parts.map(article).join('') + '</main></body></html>';
+}
+
+/// On which page of a PDF each of its named places is. Chromium writes both lists in plain text.
+function pagesOf(file) {
+  const objects = new Map([...readFileSync(file, 'latin1').matchAll(/^(\d+) 0 obj\n(<<[^]*?)\nendobj/gm)].map(([, id, body]) => [id, body]));
+  const references = (text) => [...text.matchAll(/(\d+) 0 R/g)].map(([, id]) => id);
+  const leaves = (id) => {
+    const kids = /\/Kids \[([^\]]*)\]/.exec(objects.get(id))?.[1];
+    return kids ? references(kids).flatMap(leaves) : [id];
+  };
+  const catalog = [...objects.values()].find((body) => body.includes('/Type /Catalog'));
+  const [, tree] = /\/Pages (\d+) 0 R/.exec(catalog), [, names] = /\/Dests (\d+) 0 R/.exec(catalog);
+  const order = leaves(tree);
+  return new Map([...objects.get(names).matchAll(/\/(\S+) \[(\d+) 0 R/g)].map(([, name, id]) => [name, order.indexOf(id) + 1]));
 }
 
 const book = join(build, 'book.html'), pdf = join(build, 'first-contact.pdf');
-writeFileSync(book, assemble());
 const browser = await chromium.launch({executablePath: executable(), args: ['--no-sandbox', '--disable-gpu', '--export-tagged-pdf']});
-const page = await browser.newPage();
-await page.goto(pathToFileURL(book).href);
-const footer = '<div style="width:100%;text-align:center;font:9pt Palatino,\'TeX Gyre Pagella\',serif;color:#555"><span class="pageNumber"></span></div>';
-await page.pdf({path: pdf, format: 'A4', printBackground: true, displayHeaderFooter: true, headerTemplate: '<span></span>', footerTemplate: footer,
-                outline: true, tagged: true, preferCSSPageSize: true});
+
+async function print(pages) {
+  writeFileSync(book, assemble(pages));
+  const page = await browser.newPage();
+  await page.goto(pathToFileURL(book).href);
+  await page.pdf({path: pdf, printBackground: true, outline: true, tagged: true, preferCSSPageSize: true});
+  await page.close();
+  return pagesOf(pdf);
+}
+
+const first = await print(new Map()), second = await print(first);
 await browser.close();
+for (const {id} of parts)
+  if (!second.has(id) || first.get(id) !== second.get(id)) throw new Error(`the contents have page ${first.get(id)} for ${id}, which is on ${second.get(id)}`);
 console.log(`The print edition is build/notes/first-contact.pdf`);

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "figures.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 
@@ -68,17 +67,17 @@ void tell_corrections(Report& report, const Scene& scene, const Moving<Sphere>& 
 //! [report]
 
 //! [results]
-Json results(const Scene& scene, const Moving<Sphere>& ball, const std::optional<Contact>& contact) {
-  Json json;
-  json["contact"] = nullptr;
-  if (contact)
-    json["contact"] = {{"time", contact->time},
-                       {"center", to_json(Vector(scene.from + contact->time * ball.displacement))},
-                       {"point", to_json(contact->point())},
-                       {"normal", to_json(contact->normal)}};
-  json["distance_start"] = scene.plane.signed_distance(scene.from);
-  json["distance_end"] = scene.plane.signed_distance(scene.to);
-  return json;
+void give_results(Program& program, const Scene& scene, const Moving<Sphere>& ball,
+                  const std::optional<Contact>& contact) {
+  program.result("/contact", nullptr);
+  if (contact) {
+    program.result("/contact/time", contact->time);
+    program.result("/contact/center", Vector(scene.from + contact->time * ball.displacement));
+    program.result("/contact/point", contact->point());
+    program.result("/contact/normal", contact->normal);
+  }
+  program.result("/distance_start", scene.plane.signed_distance(scene.from));
+  program.result("/distance_end", scene.plane.signed_distance(scene.to));
 }
 //! [results]
 
@@ -120,7 +119,7 @@ int main(int argc, char** argv) {
     const auto contact = sweep(ball, scene.plane);
     tell(program.report(), scene, ball, contact);
     tell_corrections(program.report(), scene, ball);
-    program.json() = results(scene, ball, contact);
+    give_results(program, scene, ball, contact);
     note(program, scene, ball);
     if (program.draws()) draw_plane_figures(program, scene.plane, ball, contact);
   });

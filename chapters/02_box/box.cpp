@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "figures.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "studies.hpp"
@@ -131,17 +130,17 @@ void tell_bounding(Report& report, Language language) {
 //! [report]
 
 //! [results]
-Json results(const Scene& scene, const Moving<Box>& moving, const std::optional<Contact>& contact) {
-  Json json;
-  json["effective_radius"] = moving.shape.effective_radius(scene.plane.normal());
-  json["contact"] = nullptr;
-  if (contact)
-    json["contact"] = {{"time", contact->time},
-                       {"center", to_json(Vector(scene.from + contact->time * moving.displacement))},
-                       {"feature", to_string(contact->feature)},
-                       {"points", to_json(contact->points)},
-                       {"normal", to_json(contact->normal)}};
-  return json;
+void give_results(Program& program, const Scene& scene, const Moving<Box>& moving,
+                  const std::optional<Contact>& contact) {
+  program.result("/effective_radius", moving.shape.effective_radius(scene.plane.normal()));
+  program.result("/contact", nullptr);
+  if (!contact) return;
+  program.result("/contact/time", contact->time);
+  program.result("/contact/center", Vector(scene.from + contact->time * moving.displacement));
+  program.result("/contact/feature", to_string(contact->feature));
+  for (Eigen::Index i = 0; i < contact->points.cols(); ++i)
+    program.result("/contact/points/" + std::to_string(i), Vector(contact->points.col(i)));
+  program.result("/contact/normal", contact->normal);
 }
 //! [results]
 
@@ -224,7 +223,7 @@ int main(int argc, char** argv) {
     tell_landings(program.report());
     tell_sights(program.report(), program.language());
     tell_bounding(program.report(), program.language());
-    program.json() = results(scene, moving, contact);
+    give_results(program, scene, moving, contact);
     note_scene(program, scene, moving);
     note_studies(program);
     if (program.draws()) draw_box_figures(program, scene.plane, moving, contact);

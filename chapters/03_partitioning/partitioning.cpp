@@ -8,7 +8,6 @@
 #include "first_contact/partition/box_tree.hpp"
 #include "first_contact/partition/brute_force.hpp"
 #include "first_contact/partition/bsp_tree.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/program.hpp"
 #include "grown_planes.hpp"
@@ -219,8 +218,11 @@ void note_faults(Program& program, std::uint64_t seed) {
 //! [notes]
 
 //! [results]
-Json to_json(const Cost& cost) {
-  return {{"nodes", cost.nodes}, {"depth", cost.depth}, {"tests", cost.tests}, {"hits", cost.hits}};
+void give_results(Program& program, const std::string& place, const Cost& cost) {
+  program.result(place + "/nodes", cost.nodes);
+  program.result(place + "/depth", cost.depth);
+  program.result(place + "/tests", cost.tests);
+  program.result(place + "/hits", cost.hits);
 }
 
 std::string at_most_a_million(double value) {
@@ -280,10 +282,13 @@ int main(int argc, char** argv) {
     tell_same_side(program.report());
     tell_grown_planes(program.report());
     tell_hit_tests(program.report());
-    program.json() = {
-        {"objects", costs.objects},  {"flights", flight_count},   {"octree", to_json(costs.octree)},
-        {"bsp", to_json(costs.bsp)}, {"bvh", to_json(costs.bvh)}, {"brute_force", to_json(costs.brute_force)},
-        {"same", costs.agree()}};
+    program.result("/objects", costs.objects);
+    program.result("/flights", flight_count);
+    give_results(program, "/octree", costs.octree);
+    give_results(program, "/bsp", costs.bsp);
+    give_results(program, "/bvh", costs.bvh);
+    give_results(program, "/brute_force", costs.brute_force);
+    program.result("/same", costs.agree());
     note_costs(program, costs, triangles);
     note_depths(program, seed);
     note_faults(program, seed);

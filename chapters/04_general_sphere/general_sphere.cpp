@@ -10,7 +10,6 @@
 #include "casts.hpp"
 #include "figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
@@ -168,17 +167,15 @@ void note_faults(Program& program, const Environment& environment, const Moving<
 //! [notes]
 
 //! [results]
-Json results(const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
-  Json json;
-  json["contact"] = nullptr;
-  if (contact)
-    json["contact"] = {{"time", contact->time},
-                       {"center", to_json(Vector(moving.shape.center + contact->time * moving.displacement))},
-                       {"point", to_json(contact->point())},
-                       {"normal", to_json(contact->normal)},
-                       {"feature", to_string(contact->feature)},
-                       {"triangle", contact->triangle}};
-  return json;
+void give_results(Program& program, const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
+  program.result("/contact", nullptr);
+  if (!contact) return;
+  program.result("/contact/time", contact->time);
+  program.result("/contact/center", Vector(moving.shape.center + contact->time * moving.displacement));
+  program.result("/contact/point", contact->point());
+  program.result("/contact/normal", contact->normal);
+  program.result("/contact/feature", to_string(contact->feature));
+  program.result("/contact/triangle", contact->triangle);
 }
 //! [results]
 
@@ -227,7 +224,7 @@ int main(int argc, char** argv) {
     tell_ray(program.report());
     jaw::tell(program);
     if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
-    program.json() = results(moving, contact);
+    give_results(program, moving, contact);
     note_features(program, environment);
     note_faults(program, environment, moving);
     note_accuracy(program);

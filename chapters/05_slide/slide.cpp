@@ -7,7 +7,6 @@
 
 #include "figures.hpp"
 #include "first_contact/geometry/mesh_file.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
@@ -115,19 +114,20 @@ void tell_gap(Report& report) {
 }
 //! [report]
 
-Json results(const Slide& path) {
-  Json json;
-  json["positions"] = Json::array();
-  for (const Point& position : path.positions) json["positions"].push_back(to_json(position));
-  json["contacts"] = Json::array();
-  for (const Contact& contact : path.contacts)
-    json["contacts"].push_back({{"time", contact.time},
-                                {"point", to_json(contact.point())},
-                                {"normal", to_json(contact.normal)},
-                                {"feature", to_string(contact.feature)},
-                                {"triangle", contact.triangle}});
-  json["end"] = to_json(path.end());
-  return json;
+void give_results(Program& program, const Slide& path) {
+  for (std::size_t i = 0; i < path.positions.size(); ++i)
+    program.result("/positions/" + std::to_string(i), path.positions[i]);
+  program.result_list("/contacts");
+  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+    const Contact& contact = path.contacts[i];
+    const std::string place = "/contacts/" + std::to_string(i);
+    program.result(place + "/time", contact.time);
+    program.result(place + "/point", contact.point());
+    program.result(place + "/normal", contact.normal);
+    program.result(place + "/feature", to_string(contact.feature));
+    program.result(place + "/triangle", contact.triangle);
+  }
+  program.result("/end", path.end());
 }
 
 //! [notes]
@@ -223,7 +223,7 @@ int main(int argc, char** argv) {
     const auto grounds = walks::grounds();
     const auto all_walks = tell_walks(program, grounds, frames);
     if (program.given("--mesh")) tell_defects(report, environment.mesh());
-    program.json() = results(path);
+    give_results(program, path);
     note_wall(program, environment, ball, path);
     note_second_wall(program, "crease", crease, into_crease);
     note_second_wall(program, "corner", corner, into_corner);

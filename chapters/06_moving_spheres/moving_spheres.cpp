@@ -4,7 +4,6 @@
 
 #include "far_away.hpp"
 #include "figures.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "growth.hpp"
@@ -108,17 +107,16 @@ void tell_crowd(Program& program) {
 }
 //! [report]
 
-Json results(const Meeting& meeting) {
-  Json json;
-  json["contact"] = nullptr;
-  if (const auto& contact = meeting.contact)
-    json["contact"] = {{"time", contact->time},
-                       {"p", to_json(meeting.p)},
-                       {"q", to_json(meeting.q)},
-                       {"point", to_json(contact->point())},
-                       {"normal", to_json(contact->normal)}};
-  json["separation_time"] = meeting.separation ? Json(*meeting.separation) : Json(nullptr);
-  return json;
+void give_results(Program& program, const Meeting& meeting) {
+  program.result("/contact", nullptr);
+  if (const auto& contact = meeting.contact) {
+    program.result("/contact/time", contact->time);
+    program.result("/contact/p", meeting.p);
+    program.result("/contact/q", meeting.q);
+    program.result("/contact/point", contact->point());
+    program.result("/contact/normal", contact->normal);
+  }
+  program.result("/separation_time", meeting.separation);
 }
 
 //! [notes]
@@ -183,7 +181,7 @@ int main(int argc, char** argv) {
     tell_contact(program.report(), meeting, when);
     tell_errors(program.report());
     tell_crowd(program);
-    program.json() = results(meeting);
+    give_results(program, meeting);
     note_roots(program, p, q);
     note_far_away<float>(program, "single");
     note_far_away<double>(program, "double");

@@ -7,7 +7,6 @@
 #include "figures.hpp"
 #include "first_contact/motion/stepped_bounce.hpp"
 #include "first_contact/motion/sweep_along.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
 
@@ -250,17 +249,20 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
 }
 //! [notes]
 
-Json results(const Flight& flight) {
-  Json json;
-  json["impacts"] = Json::array();
-  for (const Landing& impact : flight.impacts)
-    json["impacts"].push_back({{"time", impact.time}, {"speed", impact.speed}});
-  json["apexes"] = Json::array();
-  for (const Apex& apex : flight.apexes)
-    json["apexes"].push_back({{"time", apex.time}, {"height", apex.height}});
-  json["rest_time"] = nullptr;
-  if (flight.rest_time) json["rest_time"] = *flight.rest_time;
-  return json;
+void give_results(Program& program, const Flight& flight) {
+  program.result_list("/impacts");
+  for (std::size_t i = 0; i < flight.impacts.size(); ++i) {
+    const std::string impact = "/impacts/" + std::to_string(i);
+    program.result(impact + "/time", flight.impacts[i].time);
+    program.result(impact + "/speed", flight.impacts[i].speed);
+  }
+  program.result_list("/apexes");
+  for (std::size_t i = 0; i < flight.apexes.size(); ++i) {
+    const std::string apex = "/apexes/" + std::to_string(i);
+    program.result(apex + "/time", flight.apexes[i].time);
+    program.result(apex + "/height", flight.apexes[i].height);
+  }
+  program.result("/rest_time", flight.rest_time);
 }
 
 void save(const std::string& file, const Flight& flight) {
@@ -309,7 +311,7 @@ int main(int argc, char** argv) {
     tell_corrected(report, scene, bounce);
     tell_energy(report);
     tell_tweens(report);
-    program.json() = results(flight);
+    give_results(program, flight);
     note(program, scene, motion, bounce);
     if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);
   });

@@ -4,7 +4,6 @@
 
 #include "encounter.hpp"
 #include "figures.hpp"
-#include "first_contact/program/json.hpp"
 #include "first_contact/program/program.hpp"
 
 using namespace first_contact;
@@ -173,14 +172,13 @@ void tell_faults(Report& report) {
 }
 //! [faults]
 
-Json results(const Outcome& outcome) {
-  Json json;
-  json["collides"] = outcome.collides;
-  json["time"] = outcome.time ? Json(*outcome.time) : Json(nullptr);
-  json["angles_deg"] = {outcome.angle[0], outcome.angle[1]};
-  json["velocities"] = Json::array();
-  for (const Vector2d& v : outcome.velocity) json["velocities"].push_back({v.x(), v.y()});
-  return json;
+void give_results(Program& program, const Outcome& outcome, const std::string& place = "") {
+  program.result(place + "/collides", outcome.collides);
+  program.result(place + "/time", outcome.time);
+  program.result(place + "/angles_deg", std::vector{outcome.angle[0], outcome.angle[1]});
+  for (const std::size_t i : {0U, 1U})
+    program.result(place + "/velocities/" + std::to_string(i),
+                   std::vector{outcome.velocity[i].x(), outcome.velocity[i].y()});
 }
 
 //! [notes]
@@ -208,11 +206,12 @@ void note(Program& program, const std::string& name, const Encounter& encounter)
 void show_paper_cases(Program& program) {
   const auto cases = paper_cases();
   const auto paper = paper_output();
-  program.json() = results(as_printed(cases[0]));
+  give_results(program, as_printed(cases[0]));
   for (std::size_t i = 0; i < cases.size(); ++i) {
     tell_case(program.report(), cases[i], paper[i], static_cast<int>(i) + 1);
-    program.json()["cases"].push_back(
-        {{"printed", results(as_printed(cases[i]))}, {"contact", results(at_contact(cases[i]))}});
+    const std::string place = "/cases/" + std::to_string(i);
+    give_results(program, as_printed(cases[i]), place + "/printed");
+    give_results(program, at_contact(cases[i]), place + "/contact");
   }
   tell_faults(program.report());
   for (std::size_t i = 0; i < cases.size(); ++i) note(program, "case" + std::to_string(i + 1), cases[i]);
@@ -229,7 +228,7 @@ void show_one(Program& program, const Encounter& encounter, bool printed) {
   tell_outcome(program.report(), encounter, outcome);
   program.report().say({"The discs of this scene", "此場景的兩圓"});
   tell_meeting(program.report(), encounter, at_contact(encounter));
-  program.json() = results(outcome);
+  give_results(program, outcome);
   note(program, "this", encounter);
   if (program.draws()) draw_encounter(program, "encounter", encounter, printed, !printed);
 }

@@ -56,6 +56,7 @@ void add_velocity(figure::Scene& scene, const Vector2d& center, double rim, cons
   scene.label(name.text, flat(tip), aside, level ? 0.6 * way.y() : 0.9 * way.y(), colour, align);
   scene.label("",
               flat(tip + (level ? name.room * Vector2d(way.x() > 0 ? 1 : -1, 0) : 0.3 * name.room * way)));
+  if (!level && align == Align::centre) scene.label("", flat(tip - Vector2d(0.6 * name.room, 0)));
 }
 
 // One of the four cases by itself: velocities before and after. The distance is not to scale.

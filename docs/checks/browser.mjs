@@ -1,5 +1,5 @@
 // Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
-// console, no formula in error, nothing wider than its page, text with enough contrast (WCAG AA).
+// console, no formula in error, nothing wider than its page, text and figures' letters with enough contrast (WCAG AA); and by the keyboard alone.
 import {existsSync} from 'node:fs';
 import {basename, join} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -10,6 +10,7 @@ export const executable = () => process.env.CHROMIUM ??
   ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
 
 const views = [['light', 1280, 900], ['dark', 1280, 900], ['light', 390, 800]];
+const keyboard = new Set(['index.html', 'plane.html', 'tween-bounce.html', 'library-motion.html']);  // one of each kind
 const isOurs = (file) => file.endsWith('.html') && !file.includes('/search/');
 
 // Runs in the page.
@@ -52,6 +53,53 @@ function faultsOfPage(wholeBook) {
     const contrast = (a + 0.05) / (b + 0.05), large = parseFloat(style.fontSize) >= 24;
     if (contrast < (large ? 3 : 4.5)) faults.push(`contrast ${contrast.toFixed(1)}: ${element.tagName.toLowerCase()}.${element.className} "${element.textContent.trim().slice(0, 24)}"`);
   }
+  for (const text of document.querySelectorAll('figure > svg text')) {  // letters of figures, against the paper
+    const fill = getComputedStyle(text).fill, key = `letters ${fill}`;
+    if (seen.has(key) || fill === 'none') continue;
+    seen.add(key);
+    const [a, b] = [luminance(rgba(fill)), luminance(behind(text.closest('figure')))].sort((x, y) => y - x);
+    const contrast = (a + 0.05) / (b + 0.05);
+    if (contrast < 4.5) faults.push(`contrast ${contrast.toFixed(1)}: the figures' letters in ${fill}`);
+  }
+  const name = (element) => element.getAttribute('aria-label') || element.title || element.textContent.trim();
+  for (const element of document.querySelectorAll('button, summary, main a[href], nav a[href]'))
+    if (!name(element) && !element.querySelector('[aria-label], [title], img[alt]')) faults.push(`${element.localName} without a name: ${element.outerHTML.slice(0, 60)}`);
+  let level = 1;
+  for (const heading of document.querySelectorAll('main h1, main h2, main h3, main h4')) {
+    const next = +heading.localName[1];
+    if (wholeBook && next > level + 1) faults.push(`the heading "${heading.textContent.trim().slice(0, 30)}" leaves out a level`);
+    level = next;
+  }
+  return faults;
+}
+
+// As one who has no mouse goes through the page: the first stop is the way past the contents, every stop can be seen, and
+// everything that can be pressed is a stop.
+async function faultsOfKeyboard(page) {
+  const faults = [], wanted = await page.evaluate(() => {
+    document.activeElement?.blur();
+    scrollTo(0, 0);
+    const shown = (element) => element.checkVisibility({visibilityProperty: true}) && !element.disabled && element.tabIndex >= 0;
+    const all = [...document.querySelectorAll('a[href], button, summary, input')].filter((element) => shown(element) && !element.closest('#MSearchResultsWindow, #MSearchSelectWindow'));
+    all.forEach((element, i) => { element.dataset.stop = i; });
+    return all.length;
+  });
+  const reached = new Set();
+  for (let i = 0; i < wanted + 5 && reached.size < wanted; ++i) {
+    await page.keyboard.press('Tab');
+    const stop = await page.evaluate(() => {
+      const at = document.activeElement, style = getComputedStyle(at), inner = at.querySelector?.('rect');
+      const box = at.getBoundingClientRect();
+      return {id: at.dataset.stop, text: at.textContent.trim().slice(0, 30), skip: at.classList.contains('skip'), inside: box.right > 0 && box.bottom > 0,
+              seen: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 1 || !!inner && getComputedStyle(inner).strokeWidth === '1.8px' ||
+                    at.id === 'MSearchField'};
+    });
+    if (i === 0 && !stop.skip) faults.push('the first stop of the Tab key is not the way to the text');
+    if (stop.id === undefined) continue;
+    if (!reached.has(stop.id) && !(stop.seen && stop.inside)) faults.push(`"${stop.text}" has the focus, and one does not see it`);
+    reached.add(stop.id);
+  }
+  if (reached.size < wanted) faults.push(`${wanted - reached.size} of ${wanted} links and buttons are out of the Tab key's reach`);
   return faults;
 }
 
@@ -67,6 +115,7 @@ async function openTab(browser, [colorScheme, width, height]) {
     name = `${basename(file)} (${colorScheme}, ${width})`;
     await page.goto(pathToFileURL(file).href);
     for (const fault of await page.evaluate(faultsOfPage, wholeBook)) complain(name, fault);
+    if (wholeBook && colorScheme === 'light' && keyboard.has(basename(file))) for (const fault of await faultsOfKeyboard(page)) complain(`${name}, keyboard`, fault);
   };
 }
 

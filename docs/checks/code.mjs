@@ -1,11 +1,12 @@
-// Every line of the programs, and of the library's tagged teaching code, stands on some page. What need not is between
+// Every line of the programs and of the mathematical library stands on some page, and what the library teaches (its
+// tagged code) in some chapter. What need not is between
 //   // notes: aside, because ...          and          // notes: end
 import {join} from 'node:path';
 import {build, complain, filesBelow, fromRoot, read, root} from '../tools/book.mjs';
 
 const mostAside = 0.05;  // of all lines
 const teaching = ['geometry', 'sweep', 'partition', 'response', 'motion'].map((folder) => join(root, 'common/first_contact', folder));
-const isCode = (file) => /\.(cpp|hpp)$/.test(file);
+const isCode = (file) => /\.(cpp|hpp|inc)$/.test(file);
 const tagOf = (line) => /^\s*\/\/! \[(\w+)\]$/.exec(line)?.[1];
 
 // The lines of a file with what is known of each: its tags, and whether it is set aside.
@@ -36,11 +37,10 @@ function spans(numbers) {
   return parts.map(([a, b]) => a === b ? a : `${a}-${b}`).join(', ');
 }
 
-export function checkCode() {
-  const shown = JSON.parse(read(build, 'shown.json')).snippets;
-  const isShown = (file, line) => shown.some((each) => each.file === file && (!each.tag || line.tags.includes(each.tag)));
-  let lines = 0, aside = 0, untagged = 0, library = 0;
-  for (const file of filesBelow(join(root, 'chapters'), isCode)) {
+// Counts the lines of some files, and complains about those that are on no page and not set aside.
+function count(files, isShown) {
+  let lines = 0, aside = 0;
+  for (const file of files) {
     const name = fromRoot(file), missing = [];
     for (const line of linesOf(file)) {
       if (!line.counts) continue;
@@ -51,22 +51,23 @@ export function checkCode() {
     }
     if (missing.length) complain(name, `on no page: lines ${spans(missing)}`);
   }
-  for (const file of teaching.flatMap((folder) => filesBelow(folder, isCode))) {
-    const name = fromRoot(file), missing = new Set();
-    for (const line of linesOf(file)) {
-      if (!line.counts) continue;
-      if (file.endsWith('.cpp')) ++library;
-      if (line.tags.length) ++lines;
-      else if (file.endsWith('.cpp')) ++untagged;
-      if (!line.tags.length || isShown(name, line)) continue;
-      if (line.aside) ++aside;
-      else line.tags.forEach((tag) => missing.add(tag));
-    }
-    for (const tag of missing) complain(name, `on no page: the code of the tag ${tag}`);
-  }
-  for (const file of [...filesBelow(join(root, 'chapters'), isCode), ...teaching.flatMap((folder) => filesBelow(folder, isCode))])
+  return {lines, aside};
+}
+
+export function checkCode() {
+  const shown = JSON.parse(read(build, 'shown.json')).snippets;
+  const isShown = (file, line) => shown.some((each) => each.file === file && (!each.tag || line.tags.includes(each.tag)));
+  const ofChapters = filesBelow(join(root, 'chapters'), isCode), ofLibrary = teaching.flatMap((folder) => filesBelow(folder, isCode));
+  const chapters = count(ofChapters, isShown), library = count(ofLibrary, isShown);
+  for (const file of ofLibrary)  // what is taught stands in an essay as well, not only on the pages file by file
+    for (const tag of new Set(linesOf(file).flatMap(({tags}) => tags)))
+      if (!shown.some((each) => each.file === fromRoot(file) && !each.page.startsWith('library') && (!each.tag || each.tag === tag)))
+        complain(fromRoot(file), `in no chapter: the code of the tag ${tag}`);
+  for (const file of [...ofChapters, ...ofLibrary])
     for (const reason of new Set(linesOf(file).map((line) => line.aside).filter(Boolean)))
       console.log(`  ${fromRoot(file)}: set aside, because ${reason}`);
+  const lines = chapters.lines + library.lines, aside = chapters.aside + library.aside;
   if (aside > mostAside * lines) complain('code', `${aside} of ${lines} lines are set aside: more than ${100 * mostAside} %`);
-  return `${lines} lines, ${aside} set aside; ${untagged} of the library's ${library} lines are outside any tag`;
+  return `all ${lines} lines, ${chapters.lines} of the programs and ${library.lines} of the library, stand on a page; ` +
+         `${aside} set aside (${(100 * aside / lines).toFixed(1)} %)`;
 }

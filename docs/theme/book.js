@@ -18,6 +18,7 @@
     button.type = 'button';
     button.className = 'copy';
     button.textContent = 'Copy';
+    button.title = 'Copy this listing';
     button.addEventListener('click', () => {
       const lines = [...listing.querySelectorAll('.line')].map((line) => line.textContent.replace(/\u00a0/g, ' '));
       navigator.clipboard?.writeText(lines.length ? lines.join('\n') : listing.textContent)
@@ -33,11 +34,12 @@
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'pause';
+    button.title = 'Pause or play the moving picture';
     button.textContent = 'Pause';
     button.addEventListener('click', () => {
       const resume = picture.animationsPaused();
       resume ? picture.unpauseAnimations() : picture.pauseAnimations();
-      button.textContent = resume ? 'Pause' : 'Play';
+      button.textContent = resume ? 'Pause' : 'Play';  // the picture it belongs to follows it
     });
     picture.before(button);
   };
@@ -55,6 +57,14 @@
     };
     open.addEventListener('click', () => toggle());
     addEventListener('keydown', (event) => { if (event.key === 'Escape') toggle(false); });
+    const unfold = () => {  // what a link leads to
+      const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+      if (target?.localName !== 'details') return;
+      target.open = true;
+      target.scrollIntoView();
+    };
+    addEventListener('hashchange', unfold);
+    unfold();
     document.querySelectorAll('div.fragment, pre.output, pre.shell').forEach(copyButton);
     document.querySelectorAll('svg.moves').forEach(pauseButton);
   });

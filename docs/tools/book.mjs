@@ -30,10 +30,20 @@ export const chapters = data('chapters.json').map((chapter) => ({
   page: chapter.program.replaceAll('_', '-') + '.html',
 }));
 
+/// The library; of the pages below, each with a folder shows all files of that folder.
+export const libraryRoot = join(root, 'common/first_contact');
+
 /// The pages that are no chapters, in the order of the contents.
 export const otherPages = [
   {id: 'index', title: 'First Contact', front: true},
   {id: 'reading', title: 'How to read this', front: true},
+  {id: 'library', title: 'The library, file by file', library: true},
+  {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', library: true, folder: 'geometry'},
+  {id: 'library-sweep', title: 'Sweeps, file by file', short: 'sweep', library: true, folder: 'sweep'},
+  {id: 'library-partition', title: 'Partitions, file by file', short: 'partition', library: true, folder: 'partition'},
+  {id: 'library-bvh', title: 'The fast tree, file by file', short: 'partition/bvh', library: true, folder: 'partition/bvh'},
+  {id: 'library-response', title: 'Response, file by file', short: 'response', library: true, folder: 'response'},
+  {id: 'library-motion', title: 'Motion, file by file', short: 'motion', library: true, folder: 'motion'},
   {id: 'papermap', title: 'Paper map'},
   {id: 'errata', title: 'Errata of the paper'},
   {id: 'glossary', title: 'Glossary 詞彙'},

@@ -51,12 +51,31 @@ export function inlineFigure(path, prefix, alternative) {
   });
 }
 
-/// The colours of figures, each for a light page and a dark one.
+const papers = {light: '#fffefb', dark: '#15191c'};  // as in theme/book.css
+const parts = (colour) => [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+const hex = (rgb) => '#' + rgb.map((part) => Math.round(part).toString(16).padStart(2, '0')).join('');
+const luminance = (colour) => parts(colour).map((part) => part / 255)
+    .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, part, i) => sum + part * [0.2126, 0.7152, 0.0722][i], 0);
+
+// The colour, moved towards ink as far as letters need it to be read on the paper (WCAG AA: 4.5 to 1).
+function forLetters(colour, theme) {
+  const end = theme === 'light' ? 0 : 255;
+  for (let part = 0;; part += 0.02) {
+    const moved = hex(parts(colour).map((value) => value + part * (end - value)));
+    const [low, high] = [luminance(moved), luminance(papers[theme])].sort((a, b) => a - b);
+    if ((high + 0.05) / (low + 0.05) >= 4.6) return moved;
+  }
+}
+
+/// The colours of figures, each for a light page and a dark one; those of letters apart.
 export function figureStyle() {
   const rules = [...darkRules].sort().map((rule) => {
     const [, name, light, dark] = /^\[([a-z]+)="([^"]*)"\]\{[a-z]+:([^}]*)\}/.exec(rule);
     const paper = light === '#ffffff' ? 'var(--paper)' : `light-dark(${light}, ${dark})`;
-    return `figure svg [${name}="${light}"] { ${name}: ${paper}; }`;
+    const letters = name === 'fill' && light !== '#ffffff'
+      ? `\nfigure svg [fill="${light}"] > text { fill: light-dark(${forLetters(light, 'light')}, ${forLetters(dark, 'dark')}); }` : '';
+    return `figure svg [${name}="${light}"] { ${name}: ${paper}; }${letters}`;
   });
   return rules.join('\n') + '\n';
 }

@@ -35,7 +35,8 @@ function landmarks(page) {
       .replace(/<p ?><a class="anchor" id="[^"]*"><\/a><\/p>\s*/, '')
       .replace(/<div class="line">(?:<a [^>]*><\/a>)?(?: |&#160;)*<span class="comment">\/\/! \[\w+\]<\/span><\/div>\n?/g, '')
       .replace(/<div class="fragment">(?=((?:<div class="line">.*<\/div>\n?)+))/g, (whole, lines) =>
-        lines.split('<div class="line">').length <= 36 ? '<div class="fragment short">' : whole)  // on paper in one piece
+        lines.split('<div class="line">').length <= 18 ? '<div class="fragment short">' : whole)  // on paper in one piece
+      .replace(/(<table class="markdownTable">)\s*(<tr class="markdownTableHead">[\s\S]*?<\/tr>)/g, '$1<thead>$2</thead>')
       .replace(/ (cellspacing|cellpadding|border|frameborder)="\d+"/g, '')
       .replace('id="MSearchField"', 'id="MSearchField" aria-label="Search titles and names"')
       .replace(/<iframe /g, '<iframe title="Search results" ');

@@ -29,14 +29,20 @@ export function contents(current, sections) {
     const open = page.page === current;
     const inner = open && sections.length
       ? `<ul>${sections.map(({id, title}) => `<li><a href="#${id}">${title}</a></li>`).join('')}</ul>` : '';
+    const inPart = page.id === 'library' && otherPages.some((part) => part.folder && part.page === current);
+    if (page.id === 'library' && (open || inPart))
+      return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>` +
+             list(otherPages.filter((part) => part.folder), (part) => escape(part.short)) + '</li>';
     return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>${inner}</li>`;
   };
   const list = (pages, label) => `<ul>${pages.map((page) => entry(page, label(page))).join('')}</ul>`;
   const title = (page) => escape(page.title);
   return list(otherPages.filter((page) => page.front), title) +
          '<h2>Chapters</h2>' + list(chapters, (chapter) => `<span class="number">${chapter.number}</span> ${title(chapter)}`) +
-         '<h2>Reference</h2>' + list([...otherPages.filter((page) => !page.front),
-                                     {page: 'namespacefirst__contact.html', title: 'The library'}], title);
+         '<h2>The library</h2>' + list([otherPages.find(({id}) => id === 'library'),
+                                       {page: 'namespacefirst__contact.html', title: 'All names'}],
+                                      (page) => page.id ? 'File by file' : title(page)) +
+         '<h2>Reference</h2>' + list(otherPages.filter((page) => !page.front && !page.library), title);
 }
 
 // --- the map of chapters ------------------------------------------------------------------------------------------

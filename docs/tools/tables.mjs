@@ -30,7 +30,7 @@ function where(item) {
 const figurePage = (path) => chapters.find(({folder}) => folder === path.split('/')[0])?.page ?? '#';
 
 function row(id, name, what, item) {
-  return `<div class="item" id="${id}"><h4>${name}</h4><div class="what">${what}</div>${where(item)}</div>`;
+  return `<div class="item" id="${id}"><h3>${name}</h3><div class="what">${what}</div>${where(item)}</div>`;
 }
 
 const text = (words) => `<p>${prose(words, 'paper-map.json')}</p>`;
@@ -60,7 +60,7 @@ export function paperTable() {
 export function errataTable() {
   return '<div class="errata">' + data('errata.json').map((fault, i) => {
     const say = (words) => `<p>${prose(words, 'errata.json')}</p>`;
-    return `<section id="erratum-${i + 1}"><h3>${i + 1}. ${prose(fault.title, 'errata.json')}</h3>` +
+    return `<section id="erratum-${i + 1}"><h2>${i + 1}. ${prose(fault.title, 'errata.json')}</h2>` +
            `<p class="place">${prose(fault.place, 'errata.json')}</p>` +
            `<dl><div><dt>As printed</dt><dd>${say(fault.printed)}</dd></div>` +
            `<div><dt>What happens</dt><dd>${say(fault.wrong)}</dd></div>` +

@@ -6,7 +6,7 @@ const blank = (part) => ' '.repeat(part.length);
 const notProse = [
   /^```[\s\S]*?^```$/gm,
   /<!--[\s\S]*?-->/g,
-  /^\\(?:snippet|folded|output) .*$/gm,
+  /^\\(?:snippet|folded|files|output) .*$/gm,
   /`[^`\n]*`/g,
   /\{\{[^{}]*\}\}/g,
   /\]\([^)]*\)/g,

@@ -5,6 +5,7 @@ import {basename, dirname, join, resolve} from 'node:path';
 import {chapters, complain, data, docs, escape, fromRoot, otherPages, read, root} from './book.mjs';
 import {inlineFigure} from './figure.mjs';
 import {formula} from './formula.mjs';
+import {checkPage, filesOf, whereTold} from './library.mjs';
 import {typedNumbers} from './typed.mjs';
 import {formatted, runNamed, valueOf} from './values.mjs';
 
@@ -46,7 +47,7 @@ function cut(text, rules) {
 
 class Page {
   constructor(id, source, chapter, text = read(source)) {
-    Object.assign(this, {id, source, chapter, text, figures: []});
+    Object.assign(this, {id, source, chapter, text, figures: [], libraryFiles: []});
     this.name = fromRoot(source);
   }
 
@@ -169,10 +170,22 @@ class Page {
     }
     shown.snippets.push({file: fromRoot(place), tag, page: this.id});
     const command = tag ? `\\snippet ${file} ${tag}` : `\\include ${file}`;
+    const ownPage = otherPages.find((page) => page.folder && dirname(file) === `first_contact/${page.folder}`);
+    const anchor = `file-${basename(file).replaceAll('.', '-')}`, path = shownPath(fromRoot(place));
     if (!folded)
-      return blockToken(`<div class="where">${shownPath(fromRoot(place))}</div>`) + command + '\n\n';
-    return blockToken(`<details class="listing"><summary>${this.asHtml(folded, index)} <span class="where">${shownPath(fromRoot(place))}</span></summary>`) +
+      return blockToken(`<div class="where">${ownPage ? `<a href="${ownPage.page}#${anchor}">${path}</a>` : path}</div>`) + command + '\n\n';
+    const mark = this.id === ownPage?.id ? ` id="${anchor}"` : '';
+    return blockToken(`<details class="listing${tag ? '' : ' whole'}"${mark}><summary>${this.asHtml(folded, index)} <span class="where">${path}</span></summary>`) +
            command + '\n' + blockToken('</details>');
+  }
+
+  // All files of parts of the library, folded: \files sweep/batch sweep/batch_loops
+  files(stems, index) {
+    return this.attempt(index, () => {
+      const files = stems.trim().split(/\s+/).flatMap(filesOf);
+      this.libraryFiles.push(...files);
+      return blockToken(whereTold(files, shown.snippets)) + files.map((file) => this.listing(`first_contact/${file}`, '', `\`${basename(file)}\``, index)).join('');
+    });
   }
 
   output(file, index) {
@@ -204,6 +217,7 @@ class Page {
         this.figure(alternative, target, caption.trim(), i)],
       [/^\\snippet (\S+) (\S+)$/gm, (i, file, tag) => this.listing(file, tag, '', i)],
       [/^\\folded (\S+)(?: ([\w-]+))? \| (.+)$/gm, (i, file, tag, title) => this.listing(file, tag, title, i)],
+      [/^\\files (.+)$/gm, (i, stems) => this.files(stems, i)],
       [/^\\output (\S+)$/gm, (i, file) => this.output(file, i)],
       [/^<details>$/gm, () => blockToken('<details class="answer">')],
       [/^<\/details>$/gm, () => blockToken('</details>')],
@@ -229,7 +243,7 @@ class Page {
 export const prose = (text, file) => new Page(file, join(docs, 'pages', file), null, text).asHtml(text, 0);
 
 /// One page for Doxygen. \param head  its title, and the HTML that follows it; \param foot  the HTML at its end
-export function weave({id, source, chapter, title, head = '', foot = '', generated = {}}) {
+export function weave({id, source, chapter, title, folder, head = '', foot = '', generated = {}}) {
   const page = new Page(id, source, chapter);
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
@@ -238,5 +252,7 @@ export function weave({id, source, chapter, title, head = '', foot = '', generat
     complain(page.where(index), `${number} is typed by hand: look it up, {{program.name}}, or say why not, {{typed ${number} | reason}}`));
   page.text = page.text.replace(/^# .+\n/, '\n');
   const label = id === 'index' ? '{#mainpage}' : `{#${id.replaceAll('_', '-')}}`;
-  return `# ${title} ${label}\n${head && blockToken(head)}\n${page.body()}\n${foot && blockToken(foot)}\n`;
+  const body = page.body();
+  if (folder) checkPage({folder, source}, page.libraryFiles);
+  return `# ${title} ${label}\n${head && blockToken(head)}\n${body}\n${foot && blockToken(foot)}\n`;
 }

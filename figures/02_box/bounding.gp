@@ -1625,9 +1625,9 @@ $s15 << EOD
 5.526 -1.0039
 5.526 1.2932
 EOD
-plot $s0 with filledcurves closed fc rgb tone(0x008E6B26) fs solid border lc rgb tone(0x008E6B26) lw 0.6 notitle, \
- $s1 with filledcurves closed fc rgb tone(0x00EFB849) fs solid border lc rgb tone(0x00EFB849) lw 0.6 notitle, \
- $s2 with filledcurves closed fc rgb tone(0x00B18630) fs solid border lc rgb tone(0x00B18630) lw 0.6 notitle, \
+plot $s0 with filledcurves closed fc rgb tone(0x008E6B26) fs solid border lc rgb tone(0x008E6B26) lw 1.1 notitle, \
+ $s1 with filledcurves closed fc rgb tone(0x00EFB849) fs solid border lc rgb tone(0x00EFB849) lw 1.1 notitle, \
+ $s2 with filledcurves closed fc rgb tone(0x00B18630) fs solid border lc rgb tone(0x00B18630) lw 1.1 notitle, \
  $s3 with lines lc rgb INK lw 1.4 dt solid notitle, \
  $s4 with lines lc rgb GREY lw 1 dt (6,5) notitle, \
  $s5 with filledcurves closed fc rgb fade(SKY,0.22) fs solid noborder notitle, \

@@ -265,10 +265,10 @@ plot $s0 with filledcurves closed fc rgb FLOOR fs solid noborder notitle, \
  $s9 with filledcurves closed fc rgb fade(FLOOR,0) fs solid noborder notitle, \
  $s10 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
  $s11 with lines lc rgb RED lw 1.4 dt (6,5) notitle, \
- $s12 with filledcurves closed fc rgb tone(0x00E9B141) fs solid border lc rgb tone(0x00E9B141) lw 0.6 notitle, \
- $s13 with filledcurves closed fc rgb tone(0x008F6C27) fs solid border lc rgb tone(0x008F6C27) lw 0.6 notitle, \
+ $s12 with filledcurves closed fc rgb tone(0x00E9B141) fs solid border lc rgb tone(0x00E9B141) lw 1.1 notitle, \
+ $s13 with filledcurves closed fc rgb tone(0x008F6C27) fs solid border lc rgb tone(0x008F6C27) lw 1.1 notitle, \
  $s14 with vectors filled head size screen 0.022,18,60 lc rgb INK lw 2.4 dt solid notitle, \
- $s15 with filledcurves closed fc rgb tone(0x00BD8F33) fs solid border lc rgb tone(0x00BD8F33) lw 0.6 notitle, \
+ $s15 with filledcurves closed fc rgb tone(0x00BD8F33) fs solid border lc rgb tone(0x00BD8F33) lw 1.1 notitle, \
  $s16 with lines lc rgb INK lw 1.4 dt solid notitle, \
  $s17 with vectors filled head size screen 0.022,18,60 lc rgb RED lw 2.4 dt solid notitle, \
  $s18 with points pt 7 ps 0.5 lc rgb RED notitle, \

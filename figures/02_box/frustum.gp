@@ -384,28 +384,28 @@ plot $s0 with filledcurves closed fc rgb fade(SKY,0.3) fs solid noborder notitle
  $s1 with lines lc rgb BLUE lw 1.4 dt solid notitle, \
  $s2 with filledcurves closed fc rgb fade(SKY,0.18) fs solid noborder notitle, \
  $s3 with lines lc rgb BLUE lw 1.4 dt solid notitle, \
- $s4 with filledcurves closed fc rgb tone(0x00D3A039) fs solid border lc rgb tone(0x00D3A039) lw 0.6 notitle, \
- $s5 with filledcurves closed fc rgb tone(0x00D9A53B) fs solid border lc rgb tone(0x00D9A53B) lw 0.6 notitle, \
- $s6 with filledcurves closed fc rgb tone(0x00947028) fs solid border lc rgb tone(0x00947028) lw 0.6 notitle, \
+ $s4 with filledcurves closed fc rgb tone(0x00D3A039) fs solid border lc rgb tone(0x00D3A039) lw 1.1 notitle, \
+ $s5 with filledcurves closed fc rgb tone(0x00D9A53B) fs solid border lc rgb tone(0x00D9A53B) lw 1.1 notitle, \
+ $s6 with filledcurves closed fc rgb tone(0x00947028) fs solid border lc rgb tone(0x00947028) lw 1.1 notitle, \
  $s7 with lines lc rgb INK lw 1.4 dt solid notitle, \
- $s8 with filledcurves closed fc rgb tone(0x00ACACAC) fs solid border lc rgb tone(0x00ACACAC) lw 0.6 notitle, \
- $s9 with filledcurves closed fc rgb tone(0x00A7A7A7) fs solid border lc rgb tone(0x00A7A7A7) lw 0.6 notitle, \
- $s10 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s8 with filledcurves closed fc rgb tone(0x00ACACAC) fs solid border lc rgb tone(0x00ACACAC) lw 1.1 notitle, \
+ $s9 with filledcurves closed fc rgb tone(0x00A7A7A7) fs solid border lc rgb tone(0x00A7A7A7) lw 1.1 notitle, \
+ $s10 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s11 with lines lc rgb INK lw 1.4 dt solid notitle, \
- $s12 with filledcurves closed fc rgb tone(0x0000805D) fs solid border lc rgb tone(0x0000805D) lw 0.6 notitle, \
- $s13 with filledcurves closed fc rgb tone(0x00007656) fs solid border lc rgb tone(0x00007656) lw 0.6 notitle, \
- $s14 with filledcurves closed fc rgb tone(0x00008D66) fs solid border lc rgb tone(0x00008D66) lw 0.6 notitle, \
+ $s12 with filledcurves closed fc rgb tone(0x0000805D) fs solid border lc rgb tone(0x0000805D) lw 1.1 notitle, \
+ $s13 with filledcurves closed fc rgb tone(0x00007656) fs solid border lc rgb tone(0x00007656) lw 1.1 notitle, \
+ $s14 with filledcurves closed fc rgb tone(0x00008D66) fs solid border lc rgb tone(0x00008D66) lw 1.1 notitle, \
  $s15 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
- $s16 with filledcurves closed fc rgb tone(0x009D9D9D) fs solid border lc rgb tone(0x009D9D9D) lw 0.6 notitle, \
+ $s16 with filledcurves closed fc rgb tone(0x009D9D9D) fs solid border lc rgb tone(0x009D9D9D) lw 1.1 notitle, \
  $s17 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
- $s18 with filledcurves closed fc rgb tone(0x00B3B3B3) fs solid border lc rgb tone(0x00B3B3B3) lw 0.6 notitle, \
+ $s18 with filledcurves closed fc rgb tone(0x00B3B3B3) fs solid border lc rgb tone(0x00B3B3B3) lw 1.1 notitle, \
  $s19 with lines lc rgb INK lw 1.4 dt solid notitle, \
- $s20 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s20 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s21 with lines lc rgb GREY lw 1.2 dt (6,5) notitle, \
  $s22 with lines lc rgb INK lw 1.4 dt solid notitle, \
- $s23 with filledcurves closed fc rgb tone(0x00007656) fs solid border lc rgb tone(0x00007656) lw 0.6 notitle, \
- $s24 with filledcurves closed fc rgb tone(0x00008D66) fs solid border lc rgb tone(0x00008D66) lw 0.6 notitle, \
- $s25 with filledcurves closed fc rgb tone(0x0000805D) fs solid border lc rgb tone(0x0000805D) lw 0.6 notitle, \
+ $s23 with filledcurves closed fc rgb tone(0x00007656) fs solid border lc rgb tone(0x00007656) lw 1.1 notitle, \
+ $s24 with filledcurves closed fc rgb tone(0x00008D66) fs solid border lc rgb tone(0x00008D66) lw 1.1 notitle, \
+ $s25 with filledcurves closed fc rgb tone(0x0000805D) fs solid border lc rgb tone(0x0000805D) lw 1.1 notitle, \
  $s26 with lines lc rgb INK lw 1.4 dt solid notitle, \
  $s27 with lines lc rgb BLUE lw 1.4 dt solid notitle, \
  $s28 with filledcurves closed fc rgb fade(SKY,0.18) fs solid noborder notitle, \

@@ -3757,28 +3757,28 @@ plot $s0 with lines lc rgb GREY lw 1.2 dt solid notitle, \
  $s5 with filledcurves closed fc rgb fade(GREEN,0.1) fs solid noborder notitle, \
  $s6 with filledcurves closed fc rgb fade(BLUE,0.1) fs solid noborder notitle, \
  $s7 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s8 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
- $s9 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
- $s10 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s8 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
+ $s9 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
+ $s10 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s11 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s12 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
- $s13 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
- $s14 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s12 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
+ $s13 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
+ $s14 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s15 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s16 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
- $s17 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
- $s18 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s16 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
+ $s17 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
+ $s18 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s19 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s20 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
- $s21 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
+ $s20 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
+ $s21 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
  $s22 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s23 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s23 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s24 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s25 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s25 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s26 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s27 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
+ $s27 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
  $s28 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s29 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s29 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s30 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s31 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s32 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
@@ -3801,11 +3801,11 @@ plot $s0 with lines lc rgb GREY lw 1.2 dt solid notitle, \
  $s49 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s50 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s51 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
- $s52 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s52 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s53 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s54 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
+ $s54 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
  $s55 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s56 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s56 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s57 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s58 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s59 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
@@ -3821,11 +3821,11 @@ plot $s0 with lines lc rgb GREY lw 1.2 dt solid notitle, \
  $s69 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s70 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s71 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s72 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
- $s73 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
+ $s72 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
+ $s73 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
  $s74 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s75 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
- $s76 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s76 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s77 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s78 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s79 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
@@ -3848,14 +3848,14 @@ plot $s0 with lines lc rgb GREY lw 1.2 dt solid notitle, \
  $s96 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s97 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s98 with lines lc rgb RED lw 1.2 dt solid notitle, \
- $s99 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s99 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s100 with lines lc rgb RED lw 1.2 dt solid notitle, \
- $s101 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
+ $s101 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
  $s102 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s103 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s104 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s105 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s106 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s106 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s107 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s108 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s109 with lines lc rgb RED lw 1.2 dt solid notitle, \
@@ -3882,23 +3882,23 @@ plot $s0 with lines lc rgb GREY lw 1.2 dt solid notitle, \
  $s130 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s131 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s132 with lines lc rgb RED lw 1.2 dt solid notitle, \
- $s133 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
- $s134 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
- $s135 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s133 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
+ $s134 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
+ $s135 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s136 with lines lc rgb RED lw 1.2 dt solid notitle, \
- $s137 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s137 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s138 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
- $s139 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
+ $s139 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
  $s140 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s141 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s142 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s143 with lines lc rgb RED lw 1.2 dt solid notitle, \
  $s144 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
- $s145 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 0.6 notitle, \
+ $s145 with filledcurves closed fc rgb tone(0x00C1C1C1) fs solid border lc rgb tone(0x00C1C1C1) lw 1.1 notitle, \
  $s146 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
- $s147 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
- $s148 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 0.6 notitle, \
- $s149 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 0.6 notitle, \
+ $s147 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
+ $s148 with filledcurves closed fc rgb tone(0x007E7E7E) fs solid border lc rgb tone(0x007E7E7E) lw 1.1 notitle, \
+ $s149 with filledcurves closed fc rgb tone(0x00B6B6B6) fs solid border lc rgb tone(0x00B6B6B6) lw 1.1 notitle, \
  $s150 with lines lc rgb BLUE lw 1.6 dt solid notitle, \
  $s151 with lines lc rgb GREEN lw 1.4 dt solid notitle, \
  $s152 with lines lc rgb BLUE lw 1.6 dt solid notitle, \

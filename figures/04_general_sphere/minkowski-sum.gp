@@ -5786,14 +5786,14 @@ EOD
 $s855 << EOD
 0.074171 0.85587 0 0.31974
 EOD
-plot $s0 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 0.6 notitle, \
- $s1 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s2 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 0.6 notitle, \
- $s3 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
- $s4 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s5 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
- $s6 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s7 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
+plot $s0 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 1.1 notitle, \
+ $s1 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s2 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 1.1 notitle, \
+ $s3 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
+ $s4 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s5 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
+ $s6 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s7 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
  $s8 with lines lc rgb INK lw 1.4 dt solid notitle, \
  $s9 with filledcurves closed fc rgb tone(0xB3CB9A37) fs solid noborder notitle, \
  $s10 with filledcurves closed fc rgb tone(0xB3DDA83C) fs solid noborder notitle, \

@@ -4239,19 +4239,19 @@ $s56 << EOD
 
 1.94 1.0942
 EOD
-plot $s0 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
- $s1 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 0.6 notitle, \
- $s2 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s3 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
- $s4 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s5 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 0.6 notitle, \
- $s6 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s7 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 0.6 notitle, \
- $s8 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
- $s9 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s10 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
- $s11 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 0.6 notitle, \
- $s12 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 0.6 notitle, \
+plot $s0 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
+ $s1 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 1.1 notitle, \
+ $s2 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s3 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
+ $s4 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s5 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 1.1 notitle, \
+ $s6 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s7 with filledcurves closed fc rgb tone(0x004CA0CF) fs solid border lc rgb tone(0x004CA0CF) lw 1.1 notitle, \
+ $s8 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
+ $s9 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s10 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
+ $s11 with filledcurves closed fc rgb tone(0x00326887) fs solid border lc rgb tone(0x00326887) lw 1.1 notitle, \
+ $s12 with filledcurves closed fc rgb tone(0x004897C3) fs solid border lc rgb tone(0x004897C3) lw 1.1 notitle, \
  $s13 with lines lc rgb INK lw 1.4 dt solid notitle, \
  $s14 with filledcurves closed fc rgb fade(AMBER,0.55) fs solid noborder notitle, \
  $s15 with filledcurves closed fc rgb tone(0xF6FFFFFE) fs solid noborder notitle, \

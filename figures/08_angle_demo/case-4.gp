@@ -77,7 +77,7 @@ set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
 set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
 unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-6.95301505:21.844985]
+set xrange [-17.4754214:21.844985]
 set yrange [-43.3533161:11.4930151]
 set label "23.9" at 3.71,-5.52 left offset character 0.8,-0.2 front tc rgb INK
 set label "{/:Italic t} = 3.96" at 10.88,4.04 left offset character 1.4,0 front tc rgb RED
@@ -85,6 +85,7 @@ set label "1.205°" at 9.44108926,8.21964795 left offset character 0.6,0.0126193
 set label "" at 19.35197,8.21964795 center offset character 0,0 front tc rgb INK
 set label "−102.7°, as printed" at -2.09826144,-34.5746512 center offset character 0,-0.878146729 front tc rgb PINK
 set label "" at -3.50925529,-40.8603011 center offset character 0,0 front tc rgb INK
+set label "" at -14.9824064,-34.5746512 center offset character 0,0 front tc rgb INK
 $s0 << EOD
 0 8
 -0.0013705 8.0523

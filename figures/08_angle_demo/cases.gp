@@ -82,6 +82,7 @@ set yrange [-4.352:7.352]
 set label "{/:Italic m} = 5" at 0,4.2 center offset character 0,-1.5 front tc rgb INK
 set label "71.57°" at 0.474184107,5.62255232 center offset character 0,0.853814968 front tc rgb GREEN
 set label "" at 0.588026103,5.96407831 center offset character 0,0 front tc rgb INK
+set label "" at -0.245815893,5.62255232 center offset character 0,0 front tc rgb INK
 set label "{/:Italic m} = 1" at 3,4.2 center offset character 0,-1.5 front tc rgb INK
 set label "23.2°" at 5.87917598,5.43393256 left offset character 0.6,0.236351579 front tc rgb GREEN
 set label "" at 7.07917598,5.43393256 center offset character 0,0 front tc rgb INK
@@ -94,15 +95,18 @@ set label "" at 15.7404163,5.54041631 center offset character 0,0 front tc rgb I
 set label "{/:Italic m} = 1" at 0,-0.6 center offset character 0,-1.5 front tc rgb INK
 set label "90°" at 0,0.84 center offset character 0,0.9 front tc rgb GREEN
 set label "" at 0,1.2 center offset character 0,0 front tc rgb INK
+set label "" at -0.72,0.84 center offset character 0,0 front tc rgb INK
 set label "{/:Italic m} = 1" at 3,-0.6 center offset character 0,-1.5 front tc rgb INK
 set label "90°" at 3,0.84 center offset character 0,0.9 front tc rgb GREEN
 set label "" at 3,1.2 center offset character 0,0 front tc rgb INK
+set label "" at 2.28,0.84 center offset character 0,0 front tc rgb INK
 set label "{/:Italic m} = 5" at 10.8,0.5 center offset character 0,1.5 front tc rgb INK
 set label "1.205°" at 12.9090917,0.54436871 left offset character 0.6,0.0126193363 front tc rgb PINK
 set label "" at 14.1090917,0.54436871 center offset character 0,0 front tc rgb INK
 set label "{/:Italic m} = 1" at 10.88,-1.1 left offset character 1.8,0 front tc rgb INK
 set label "−102.7°" at 10.3596961,-3.41783308 center offset character 0,-0.878146729 front tc rgb PINK
 set label "" at 10.280846,-3.76909177 center offset character 0,0 front tc rgb INK
+set label "" at 9.63969609,-3.41783308 center offset character 0,0 front tc rgb INK
 set label "before" at 1.5,4.6 center offset character 0,0 front tc rgb RED
 set label "after" at 5,4.6 left offset character 0,0 front tc rgb GREEN
 set label "as printed;" at 12.1,-1.9 left offset character 0,0 front tc rgb PINK

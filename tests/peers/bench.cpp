@@ -90,9 +90,9 @@ void judge(const Mesh& mesh, const std::vector<Way>& ways, const std::array<Cast
   }
 }
 
-std::vector<Row> compare(const Mesh& mesh, std::size_t count, int repetitions) {
+std::vector<Row> compare(const Mesh& mesh, std::size_t count, int repetitions, bool only_own) {
   std::vector<Way> ways = own_ways(mesh);
-  for (const MakeWay make : engines()) {
+  for (const MakeWay make : only_own ? std::vector<MakeWay>() : engines()) {
     Way way = make(mesh);
     if (mesh.size() <= way.most_triangles) ways.push_back(std::move(way));
   }
@@ -175,6 +175,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--repetitions", repetitions, "of which the median is taken")->capture_default_str();
   app.add_option("--sides", sides, "squares along a side of each terrain, of two triangles each");
+  bool only_own = false;
+  app.add_flag("--own", only_own, "only our own ways, without the other engines");
   CLI11_PARSE(app, argc, argv);
   std::string own = argv[0], mixed = "--benchmark_enable_random_interleaving=true";
   std::array arguments{own.data(), mixed.data()};
@@ -191,7 +193,7 @@ int main(int argc, char** argv) {
   for (const std::uint32_t n : sides) {
     const Mesh mesh = scenes::terrain(n);
     print_build(mesh);
-    std::vector<Row> rows = compare(mesh, judged, repetitions);
+    std::vector<Row> rows = compare(mesh, judged, repetitions, only_own);
     print(rows);
     all.insert(all.end(), rows.begin(), rows.end());
   }

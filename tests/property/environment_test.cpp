@@ -206,7 +206,8 @@ TEST_CASE(
     "An overlap at the start is judged feature by feature: by the nearest of each face, edge and vertex") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
-    const auto& [sphere, displacement] = scene.moving;
+    const Sphere& sphere = scene.moving.shape;
+    const Vector& displacement = scene.moving.displacement;
     const Environment environment(scene.mesh);
     const auto contact = sweep(scene.moving, environment);
     bool deeper = false;

@@ -132,8 +132,8 @@ TEST_CASE("A batch of boxes against a plane has the times of the plain sweep, bi
 
 TEST_CASE("A batch gives the same times on every kind of processor, whatever its length", "[batch]") {
   const Balls p = balls(6, 1), q = balls(7, 1);
-  const std::size_t count =
-      GENERATE(0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 63, 64, 65, 71, 72, 73, 127, 128, 129, 1000);
+  const std::size_t count = GENERATE(as<std::size_t>{}, 0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 63, 64, 65, 71,
+                                     72, 73, 127, 128, 129, 1000);
   const MovingColumns p_columns(Balls(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(count)));
   const MovingColumns q_columns(Balls(q.begin(), q.begin() + static_cast<std::ptrdiff_t>(count)));
   const auto flat = [](const MovingSpheres& s) {
@@ -156,7 +156,7 @@ TEST_CASE("A batch gives the same times on every kind of processor, whatever its
 }
 
 TEST_CASE("A batch gives the same times wherever its columns begin in a page of the memory", "[batch]") {
-  const std::size_t step = GENERATE(0, 1, 8, 36, 512);  // doubles; a page holds 512
+  const std::size_t step = GENERATE(as<std::size_t>{}, 0, 1, 8, 36, 512);  // doubles; a page holds 512
   const Balls p = balls(11, 1), q = balls(12, 1);
   constexpr std::size_t count = 1003, room = 2048;
   MovingColumns p_columns(Balls(p.begin(), p.begin() + count)),
@@ -258,7 +258,7 @@ TEST_CASE("A bad number in a column is refused when the view is made, by name", 
 TEST_CASE("A number that becomes bad afterwards gives no contact, to its own shape alone", "[batch]") {
   const double bad =
       GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
-  const std::size_t column = GENERATE(0, 1, 2, 4, 5, 6);
+  const std::size_t column = GENERATE(as<std::size_t>{}, 0, 1, 2, 4, 5, 6);
   MovingColumns p(Balls(8, Moving<Sphere>{{{4, 0, 0}, 1}, {-4, 0, 0}}));
   const MovingColumns q(Balls(8, Moving<Sphere>{{{0, 0, 0}, 1}, {0, 0, 0}}));
   const MovingSpheres spheres = p.spheres();

@@ -50,7 +50,7 @@ std::string shade(std::uint32_t rgb, double opacity) {
 // neighbours.
 std::string area(const std::string& colour, bool hairline) {
   std::string style = "filledcurves closed fc rgb " + colour;
-  return style + (hairline ? " fs solid border lc rgb " + colour + " lw 0.6" : " fs solid noborder");
+  return style + (hairline ? " fs solid border lc rgb " + colour + " lw 1.1" : " fs solid noborder");
 }
 
 std::string stroke(const Pen& pen) {
@@ -62,8 +62,9 @@ std::string stroke(const Pen& pen) {
 std::vector<Point> ring(const Point& center, const Vector& normal, double radius) {
   const Vector u = normal.unitOrthogonal(), v = normal.normalized().cross(u);
   std::vector<Point> points;
+  points.reserve(64);
   for (int i = 0; i < 64; ++i)
-    points.push_back(center + radius * (std::cos(2 * pi * i / 64) * u + std::sin(2 * pi * i / 64) * v));
+    points.emplace_back(center + radius * (std::cos(2 * pi * i / 64) * u + std::sin(2 * pi * i / 64) * v));
   return points;
 }
 
@@ -136,7 +137,7 @@ void Scene::cap(const Sphere& ball, const Vector& pole, double angle, const std:
     const Vector along = std::cos(2 * pi * i / 72) * u + std::sin(2 * pi * i / 72) * v;
     const double outline = std::atan2(pole.dot(eye_), -along.dot(eye_));
     const double a = std::min(angle, outline);
-    rim.push_back(ball.center + ball.radius * (std::cos(a) * pole + std::sin(a) * along));
+    rim.emplace_back(ball.center + ball.radius * (std::cos(a) * pole + std::sin(a) * along));
   }
   add(rim, style, layer, ball.center.dot(eye_));
 }
@@ -146,7 +147,7 @@ void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int
   const double depth = ball.center.dot(eye_);
   if (opacity < 1) {  // glass: one even fill, a few faint lights upon it, and a rim
     add(outline, area(flat(colour, opacity), false), layer, depth);
-    for (double angle = 64; angle > 0; angle -= 4)
+    for (int angle = 64; angle > 0; angle -= 4)
       cap(ball, light_, angle * degree, area(shade(light_colour, 0.035), false), layer);
     std::vector<Point> closed = outline;
     closed.push_back(outline.front());
@@ -154,7 +155,8 @@ void Scene::sphere(const Sphere& ball, const Colour& colour, double opacity, int
     return;
   }
   add(outline, area(shade(lit(colour.light, 0), 1), false), layer, depth);
-  for (double angle = 90; angle > 0; angle -= step) {
+  for (int i = 0; i * step < 90; ++i) {
+    const double angle = 90 - i * step;
     const double cosine = std::cos((angle - step / 2) * degree);
     cap(ball, light_, angle * degree, area(shade(lit(colour.light, cosine), 1), false), layer);
   }
@@ -297,7 +299,8 @@ void Scene::draw(Figure& figure) const {
     for (; i < order.size() && order[i]->style == style; ++i) add_rows(rows, *order[i]);
     const std::string name = "s" + std::to_string(block++);
     figure.data(name, rows, 5);
-    clauses += (clauses.empty() ? "plot $" : ", \\\n $") + name + " with " + style + " notitle";
+    clauses += clauses.empty() ? "plot $" : ", \\\n $";
+    clauses.append(name).append(" with ").append(style).append(" notitle");
   }
   figure.script() << clauses << "\n";
 }

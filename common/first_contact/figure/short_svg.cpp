@@ -96,10 +96,10 @@ std::string with_short_meshes(const std::string& svg) {
   const std::string open = "<g stroke='none'>\n\t\t<polygon", close = "</g>\n\t<path stroke='";
   std::string shorter;
   std::size_t done = 0;
-  for (std::size_t begin; (begin = svg.find(open, done)) != svg.npos;) {
+  for (std::size_t begin; (begin = svg.find(open, done)) != std::string::npos;) {
     const std::size_t end = svg.find("</g>", begin);
     const std::size_t after = svg.find("/>", end);
-    const bool outlined = end != svg.npos && svg.compare(end, close.size(), close) == 0;
+    const bool outlined = end != std::string::npos && svg.compare(end, close.size(), close) == 0;
     const std::string path = outlined ? one_path(std::string_view(svg).substr(begin, end - begin)) : "";
     const std::size_t next = path.empty() ? begin + open.size() : after + 2;
     shorter += svg.substr(done, begin - done) + (path.empty() ? open : path);
@@ -123,9 +123,9 @@ std::optional<std::string> bare(std::string_view content) {
 std::string with_bare_groups(const std::string& svg, std::string_view open, std::string_view close) {
   std::string shorter;
   std::size_t done = 0;
-  for (std::size_t begin; (begin = svg.find(open, done)) != svg.npos;) {
+  for (std::size_t begin; (begin = svg.find(open, done)) != std::string::npos;) {
     const std::size_t inside = svg.find(">\n", begin) + 2, end = svg.find(close, inside);
-    if (end == svg.npos) break;
+    if (end == std::string::npos) break;
     const auto content = bare(std::string_view(svg).substr(inside, end - inside));
     shorter += svg.substr(done, begin - done) + content.value_or(svg.substr(begin, inside - begin));
     done = content ? end + close.size() : inside;
@@ -136,7 +136,7 @@ std::string with_bare_groups(const std::string& svg, std::string_view open, std:
 std::string without_titles(const std::string& svg) {
   std::string shorter;
   std::size_t done = 0;
-  for (std::size_t begin; (begin = svg.find("<title>gnuplot_plot_", done)) != svg.npos;) {
+  for (std::size_t begin; (begin = svg.find("<title>gnuplot_plot_", done)) != std::string::npos;) {
     shorter += svg.substr(done, begin - done);
     done = svg.find("</title>", begin) + std::string_view("</title>").size();
   }

@@ -20,18 +20,20 @@ constexpr double thin = 1 / 16.0;
 
 CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   const Vector ab = b - a, bc = c - b, ca = a - c;
-  const double square = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
-  longest = std::sqrt(square);
-  const bool at_a = bc.squaredNorm() >= std::max(ab.squaredNorm(), ca.squaredNorm());
-  const bool at_b = !at_a && ca.squaredNorm() >= ab.squaredNorm();
+  const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
+  const double longest2 = std::max({ab2, bc2, ca2});
+  longest = std::sqrt(longest2);
+  const bool at_a = bc2 >= std::max(ab2, ca2);
+  const bool at_b = !at_a && ca2 >= ab2;
   corner = at_a ? a : at_b ? b : c;
   const Vector &in = at_a ? ca : at_b ? ab : bc, &out = at_a ? ab : at_b ? bc : ca;
   normal = in.cross(out);
-  if (normal.squaredNorm() < thin * square * (thin * square)) normal = accurate_cross<double>(in, out);
+  if (normal.squaredNorm() < thin * longest2 * (thin * longest2)) normal = accurate_cross<double>(in, out);
+  const double sides2 = in.squaredNorm() * out.squaredNorm();
+  steady = 4 * normal.squaredNorm() >= sides2 && sides2 > 0;
 }
 
-Facet::Facet(const Triangle& t)
-    : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()), largest_radius(0) {
+Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {
   // Let l be the longest side and h the height above it. A ball of radius r that lies on the edges on both
   // sides of the triangle sags through its face by at most h^2 / 2r. The rounded normal, in turn, may be
   // tilted by eps l / h, which costs r (eps l / h)^2 / 2. Where h^2 = 2 eps l r, the first is eps l and the

@@ -12,6 +12,10 @@ struct CornerNormal {
   Point corner;    ///< opposite the longest side
   Vector normal;   ///< at right angles to the triangle, twice its area long; zero if it is degenerate
   double longest;  ///< the longest side
+  /// Is the largest angle 150 degrees at most? Then the normal is wrong by less than 5 eps of its length: the
+  /// sine of the angle is at least 1/2, and the cross product wrong by less than (3 sqrt 2 + 1/2) / 2 eps of
+  /// the product of the sides.
+  bool steady;
 };
 
 /// A triangle together with what a sweep asks of its plane.
@@ -27,8 +31,8 @@ struct Facet : CornerNormal {
 
   /// The triangle itself.
   Triangle triangle;
-  double length;          ///< |normal|
-  double largest_radius;  ///< up to here the face answers for itself; 0 if the triangle is degenerate
+  double length;              ///< |normal|
+  double largest_radius = 0;  ///< up to here the face answers for itself; 0 if the triangle is degenerate
 };
 
 }  // namespace first_contact

@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "first_contact/geometry/mesh_formats.hpp"
@@ -164,11 +166,13 @@ Row read_row(Values& values, const Element& element) {
   Row row;
   for (const Property& property : element.properties) {
     const double count = property.count ? values.next(*property.count) : 1;
-    if (!(count >= 0) || count != std::floor(count))
+    constexpr double most =
+        std::numeric_limits<std::uint32_t>::max();  // the widest type that a list's length can have
+    if (!(count >= 0 && count <= most) || count != std::floor(count))
       values.refuse("a list must have a whole number of items");
     const bool corners =
         property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
-    for (double i = 0; i < count; ++i) {
+    for (auto left = static_cast<std::uint32_t>(count); left > 0; --left) {
       const double value = values.next(property.type);
       if (corners) row.corners.push_back(value);
       if (!property.count && property.name.size() == 1 && property.name >= "x" && property.name <= "z")

@@ -60,7 +60,7 @@ std::uint32_t word_at(const MeshBytes& file, std::size_t byte) {  // little-endi
 Point point_at(const MeshBytes& file, std::size_t byte) {
   Point p;
   for (std::size_t i = 0; i < 3; ++i) {
-    const float value = std::bit_cast<float>(word_at(file, byte + 4 * i));
+    const auto value = std::bit_cast<float>(word_at(file, byte + 4 * i));
     if (!std::isfinite(value)) file.refuse_byte(byte + 4 * i, "must be a finite number");
     p[static_cast<Eigen::Index>(i)] = value;
   }

@@ -90,9 +90,9 @@ double ArcLength::parameter(double length) const {
 Point ArcLength::at(double part) const {
   const double inside = std::clamp(part, 0.0, 1.0);
   const double u = parameter(inside * total());
-  const Point point = first_contact::at(curve_, u);
-  if (part == inside) return point;
-  return point + (part - inside) * total() * first_contact::at(hodograph_, u).normalized();
+  Point point = first_contact::at(curve_, u);
+  if (part != inside) point += (part - inside) * total() * first_contact::at(hodograph_, u).normalized();
+  return point;
 }
 
 }  // namespace first_contact

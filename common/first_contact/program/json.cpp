@@ -43,14 +43,6 @@ void write(std::string& out, const Json& json, const std::string& indent) {
 
 }  // namespace
 
-Json to_json(const Vector& value) { return Json::array({value.x(), value.y(), value.z()}); }
-
-Json to_json(const ContactPoints& points) {
-  Json list = Json::array();
-  for (Eigen::Index i = 0; i < points.cols(); ++i) list.push_back(to_json(Vector(points.col(i))));
-  return list;
-}
-
 std::string to_string(const Json& json) {
   std::string text;
   write(text, json, "");

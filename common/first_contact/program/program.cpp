@@ -61,6 +61,9 @@ struct Program::Inside {
   Json json = Json::object();
   Json values = Json::object();
 
+  // The place of a result; the objects and lists on the way to it are made.
+  Json& at(const std::string& place) { return json[Json::json_pointer(place)]; }
+
   // An option whose text is checked and taken over once the whole line has been read.
   void add(const std::string& option, const std::string& letters, const std::string& help,
            const std::string& value, std::function<void(const std::string&)> take) {
@@ -232,7 +235,20 @@ int Program::run(int argc, char** argv, const std::function<void()>& chapter) {
 }
 
 Report& Program::report() { return *inside_->report; }
-Json& Program::json() { return inside_->json; }
+
+void Program::result(const std::string& place, std::nullptr_t) { inside_->at(place) = nullptr; }
+void Program::result(const std::string& place, bool value) { inside_->at(place) = value; }
+void Program::result(const std::string& place, double value) { inside_->at(place) = value; }
+void Program::result(const std::string& place, long value) { inside_->at(place) = value; }
+void Program::result(const std::string& place, const std::string& value) { inside_->at(place) = value; }
+void Program::result(const std::string& place, const std::vector<double>& value) {
+  inside_->at(place) = value;
+}
+void Program::result(const std::string& place, const Vector& value) {
+  inside_->at(place) = {value.x(), value.y(), value.z()};
+}
+void Program::result_list(const std::string& place) { inside_->at(place) = Json::array(); }
+
 void Program::value(const std::string& name, double number) { inside_->values[name] = number; }
 Language Program::language() const { return inside_->studio.chinese ? Language::chinese : Language::english; }
 bool Program::draws() const { return !inside_->no_figures; }

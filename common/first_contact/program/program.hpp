@@ -1,7 +1,9 @@
 #pragma once
+#include <concepts>
+#include <cstddef>
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,8 +16,6 @@
 
 namespace first_contact::program {
 
-using Json = nlohmann::ordered_json;  // json.hpp has what it can do; it takes long to read
-
 /// What every chapter shares: options, `--help`, `--json`, `--lang`, `--out`, figures, and the exit status:
 /// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a
 /// failure.
@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;  // json.hpp has what it can do; it takes l
 /// int main(int argc, char** argv) { Program program("plane", "01_plane", "A moving sphere meets a plane
 /// (paper, 1.2)."); double radius = 1; program.option("--radius", radius, "r", "radius of the sphere",
 /// not_negative); return program.run(argc, argv, [&] { ... program.report().row(...);
-/// program.json()["contact"] = ...; }); }
+/// program.result("/contact/time", ...); }); }
 class Program {
  public:
   /// \param name  of the program
@@ -72,8 +72,28 @@ class Program {
 
   /// What is printed for a reader.
   Report& report();
-  /// What `--json` prints.
-  Json& json();
+  ///@{
+  /// A result that `--json` prints, at a place that a JSON pointer names (RFC 6901): "/contact/time",
+  /// "/impacts/0/speed". A vector is [x, y, z], what is not there is null.
+  void result(const std::string& place, std::nullptr_t);
+  void result(const std::string& place, bool value);
+  void result(const std::string& place, double value);
+  void result(const std::string& place, long value);
+  void result(const std::string& place, const std::string& value);
+  void result(const std::string& place, const std::vector<double>& value);
+  void result(const std::string& place, const Vector& value);
+  void result(const std::string& place, const char* value) { result(place, std::string(value)); }
+  template <std::integral Whole>
+  void result(const std::string& place, Whole value) {
+    result(place, static_cast<long>(value));
+  }
+  template <class Value>
+  void result(const std::string& place, const std::optional<Value>& value) {
+    value ? result(place, *value) : result(place, nullptr);
+  }
+  ///@}
+  /// A list among the results that may stay empty; its items are "/impacts/0", "/impacts/1" and so on.
+  void result_list(const std::string& place);
   /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as
   /// JSON.
   void value(const std::string& name, double number);

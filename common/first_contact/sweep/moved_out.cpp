@@ -21,11 +21,15 @@ constexpr double flat = 0x1p-30;
 
 /// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the
 /// time is then wrong although the hit is not. The distance itself knows no normal, and falls along the path
-/// ever more slowly: Newton's steps lead to r from any time, and never beyond it from an earlier one. In
-/// nearly all cases none is needed.
-std::optional<double> settled(double t, const Moving<Sphere>& moving, const Triangle& triangle,
-                              double tolerance) {
+/// ever more slowly: Newton's steps lead to r from any time, and never beyond it from an earlier one.
+///
+/// None is needed if the normal is steady, wrong by 5 eps: then the height and its change along the path are
+/// wrong by 7 eps (|m| + |V|), and r |n| by 2 eps r, which is less than half of the tolerance. A point may
+/// still come in beside the triangle, within its plane.
+std::optional<double> settled(double t, const Moving<Sphere>& moving, const Facet& facet, double tolerance) {
   const auto& [center, radius] = moving.shape;
+  if (facet.steady && radius > 0) return t;
+  const Triangle& triangle = facet.triangle;
   const Vector a = triangle.a - center, b = triangle.b - center, c = triangle.c - center;
   for (int i = 0; i < enough_steps; ++i) {
     const Vector path = t * moving.displacement;
@@ -38,10 +42,17 @@ std::optional<double> settled(double t, const Moving<Sphere>& moving, const Tria
   return std::nullopt;
 }
 
+/// How far the centre is, at the start, from a face that it is straight above: by the distance itself, again,
+/// if the normal is not steady.
+double height_over(const Facet& facet, const Point& center, double height) {
+  if (facet.steady) return std::abs(height) / facet.length;
+  return (center - closest_point(center, facet.triangle)).norm();
+}
+
 }  // namespace
 
 //! [touch_face]
-std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet) {
+std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet, bool surely_within) {
   const auto& [center, radius] = moving.shape;
   if (facet.thin_for(radius)) return std::nullopt;  // its edges answer for it
   const Vector m = center - facet.corner;
@@ -57,17 +68,18 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   const Vector low = gap > 0 ? Vector(radius * normal) : Vector(Vector::Zero());
   const Vector along = gap > 0 ? moving.displacement : facet.normal;
   const auto& [a, b, c] = facet.triangle;
-  if (!weights_where_line_meets(along, a - center + low, b - center + low, c - center + low))
+  if (!surely_within &&
+      !weights_where_line_meets(along, a - center + low, b - center + low, c - center + low))
     return std::nullopt;
 
   const double tolerance =
       rounding_of_distance * (m.norm() + facet.longest + moving.displacement.norm() + radius);
-  auto t = gap > 0 ? settled(-gap / approach, moving, facet.triangle, tolerance) : 0.0;
+  auto t = gap > 0 ? settled(-gap / approach, moving, facet, tolerance) : 0.0;
   // A point goes through: its distance is least where it is 0, and at a thin triangle Newton's steps may leap
   // to and fro. There the plane's own time will do, but not that of a path within the plane.
   if (!t && radius == 0 && -approach > flat * facet.length * moving.displacement.norm()) t = -gap / approach;
   if (!t) return std::nullopt;
-  const double distance = std::min(radius, std::abs(height) / facet.length);
+  const double distance = std::min(radius, height_over(facet, center, height));
   return Touch{
       *t, distance, normal, center + *t * moving.displacement - distance * normal, Feature::face, tolerance};
 }

@@ -35,7 +35,9 @@ inline constexpr double rounding_of_distance = 16 * std::numeric_limits<double>:
 /// The centre meets the face moved out by r, on the side where it starts: t = -(E'.S0) / (N.V), if it arrives
 /// within the face. A sphere that overlaps the face at the start, its centre over the face, touches at t = 0
 /// if it goes deeper.
-std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet);
+/// \param surely_within  the caller knows that it arrives within the face, far enough from the sides for any
+/// rounding: then that is not asked once more
+std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet, bool surely_within = false);
 
 /// The centre enters the cylinder of radius r about the edge ab, between its two ends.
 std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, const Point& b);

@@ -12,8 +12,7 @@ namespace first_contact::bvh {
 /// Memory in pages of 2 MiB, where the system has them.
 ///
 /// The idea: the addresses of a large tree in pages of 4 KiB do not fit in the table that the processor keeps
-/// of them, so that a cast pays for looking them up as well. It equals std::allocator. Measured: a sixth of
-/// the time at a million triangles.
+/// of them, so that a cast pays for looking them up as well. It equals std::allocator.
 template <class Value>
 struct LargePages {
   using value_type = Value;

@@ -80,6 +80,11 @@ bool Cast::enter(const Moving<Sphere>& moving, const Space& space) {
 void Cast::note_latest() {
   const double latest = std::min(verdict_.latest(), hoped_);
   if (latest > 1) return;
+  if (verdict_.depth() > 0) {
+    const double depth = parts_.space.length(verdict_.depth());
+    walk_.latest = static_cast<float>(walk_.radius * 0x1p-22 - depth);
+    return;
+  }
   const double tau = (latest - from_ + 4 * eps) / width_;
   if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
@@ -94,7 +99,7 @@ void Cast::consider(const Place& place, bool overlapping) {
       walker_.features_in_time(question_, surface.position(a).data(), surface.position(b).data(),
                                surface.position(c).data(), latest, overlapping);
   if (overlapping || !hopeful_ || found.features == 0) {
-    verdict_.consider(place, found.features);
+    verdict_.consider(place, found.features, found.within);
   } else {
     if (postponed_count_ == postponed_.size()) consider_postponed();
     postponed_[postponed_count_++] = {&place, found, earliest(found)};
@@ -108,7 +113,7 @@ void Cast::consider_postponed() {
   std::sort(postponed_.begin(), end,
             [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
   std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
-    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found));
+    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found), p.found.within);
   });
   postponed_count_ = 0;
 }
@@ -126,13 +131,23 @@ bool Cast::done() {
 }
 //! [consider]
 
-//! [decide]
-/// The nearest first: often it makes the others too late.
-void Cast::decide() {
+void Cast::fetch_places() const {
+  const Place* places = tree_.places + walk_.leaf->first;
+  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
+    __builtin_prefetch(&places[std::countr_zero(left)]);
+}
+
+void Cast::fetch_corners() const {
   const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
     for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
       __builtin_prefetch(&parts_.surface->position(vertex));
+}
+
+//! [decide]
+/// The nearest first: often it makes the others too late.
+void Cast::decide() {
+  const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
@@ -147,15 +162,34 @@ void Cast::decide() {
 void Cast::run() {
   if (!near_) return;
   do
-    while (walker_.next(tree_, walk_) == Stop::survivors) decide();
+    while (walker_.next(tree_, walk_) == Stop::survivors) {
+      fetch_corners();
+      decide();
+    }
   while (!done());
 }
 
 bool Cast::step() {
   if (!near_) return false;
-  const Stop stop = walker_.step(tree_, walk_);
-  if (stop == Stop::survivors) decide();
-  return stop != Stop::end || !done();
+  switch (awaited_) {
+    case Awaited::tree: {
+      const Stop stop = walker_.step(tree_, walk_);
+      if (stop == Stop::end) return !done();
+      if (stop == Stop::survivors) {
+        fetch_places();
+        awaited_ = Awaited::places;
+      }
+      break;
+    }
+    case Awaited::places:
+      fetch_corners();
+      awaited_ = Awaited::corners;
+      break;
+    case Awaited::corners:
+      decide();
+      awaited_ = Awaited::tree;
+  }
+  return true;
 }
 
 }  // namespace first_contact::bvh

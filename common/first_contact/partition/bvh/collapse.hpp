@@ -20,7 +20,7 @@ struct Cover {
 /// children of a wide node. One child: a wide node, whose own children cover both halves with 8 in all; more:
 /// the halves share the k. Filled from the leaves up, that table holds the best of all trees (dynamic
 /// programming; after Ylitie, Karras, Laine 2017). It equals opening the largest child again and again, which
-/// is not always the best. Measured: about 5 % of a cast.
+/// is not always the best.
 class Collapse {
  public:
   explicit Collapse(const std::vector<Branch>& tree);

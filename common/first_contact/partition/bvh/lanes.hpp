@@ -46,6 +46,8 @@ inline Value read(const void* from) {
 
 #if defined(__AVX2__)
 
+/// Writes to any address, in one go: of what is then read singly no lane has to wait for another.
+inline void write(float* to, Floats a) { _mm256_storeu_ps(to, (__m256)a); }
 /// a < b ? a : b, and a > b ? a : b: if one is not a number, b.
 inline Floats least(Floats a, Floats b) { return (Floats)_mm256_min_ps((__m256)a, (__m256)b); }
 inline Floats most(Floats a, Floats b) { return (Floats)_mm256_max_ps((__m256)a, (__m256)b); }
@@ -90,6 +92,7 @@ inline Floats pick(const Table& t, Ints n) {
 
 #else
 
+inline void write(float* to, Floats a) { __builtin_memcpy(to, &a, sizeof a); }
 inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
 inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
 inline Doubles least(Doubles a, Doubles b) { return a < b ? a : b; }

@@ -16,8 +16,10 @@ namespace first_contact::bvh {
 /// theirs. With triangles in the order of the leaves, and vertices in the order in which those use them, all
 /// of this is in a few lines of memory next to each other, however a file has it. It equals
 /// MeshEdges::faces_at, from which the edges at a vertex can be had in no time: what an Environment works out
-/// beforehand for each edge and vertex, a cast needs only for the one that it touches. Measured: a hop on a
-/// million triangles from .59 to .50 of the plain tree.
+/// beforehand for each edge and vertex, a cast needs only for the one that it touches.
+///
+/// It takes 44 of the 70 bytes of a triangle: 16 its place, 12 its share of the vertices, 16 what lies around
+/// them.
 class Surface {
  public:
   /// \param order  the numbers of the triangles, in the order of the tree

@@ -37,20 +37,21 @@ bool in_box(const Point& p, const Point& a, const Point& b, const Point& c, doub
 
 template <class Key>
 bool Verdict::Recent<Key>::seen(const Key& k) {
-  const std::size_t filled = std::min(count, key.size());
-  for (std::size_t i = 0; i < filled; ++i)
-    if (key[i] == k) return true;
-  key[count++ % key.size()] = k;
-  return false;
+  if (!filled) key.fill(0);
+  filled = true;
+  Key& place = key[(k ^ k / key.size()) % key.size()];
+  const bool known = place == k + 1;
+  place = k + 1;
+  return known;
 }
 
-void Verdict::consider(const Place& place, unsigned features) {
+void Verdict::consider(const Place& place, unsigned features, bool within_face) {
   considered_.add(place);
   if (features == 0) return;
   const auto& corners = place.corner;
   if (features & 1)
-    keep(touch_face(moving_, Facet(surface_.triangle(place))), {corners[0], corners[1], corners[2]},
-         place.number);
+    keep(touch_face(moving_, Facet(surface_.triangle(place)), within_face),
+         {corners[0], corners[1], corners[2]}, place.number);
   for (std::size_t slot = 0; slot < 3; ++slot)
     if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
   for (std::size_t slot = 0; slot < 3; ++slot)
@@ -61,7 +62,7 @@ void Verdict::forget() {
   first_.reset();
   considered_.count = 0;
   considered_.more.clear();
-  edges_.count = vertices_seen_.count = 0;
+  edges_.filled = vertices_seen_.filled = false;
 }
 
 void Verdict::consider_edge(std::uint32_t p, std::uint32_t q) {

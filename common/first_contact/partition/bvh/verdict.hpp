@@ -15,9 +15,7 @@ namespace first_contact::bvh {
 ///
 /// The idea: it asks what the plain sweep asks (sphere_mesh.cpp), by the same functions and in the same order
 /// of precedence, but only of the faces, edges and vertices that come near, and works out what lies around
-/// them when it must. So the answer is that of the plain sweep, bit for bit. Measured: the plain sweep's own
-/// test of a ridge or a peak takes 300 to 900 ns for the faces around it; the test for the clear case, in
-/// which all of them lead away from the sphere, 30 to 60.
+/// them when it must. So the answer is that of the plain sweep, bit for bit.
 class Verdict {
  public:
   Verdict(const Surface& surface, const Moving<Sphere>& sphere) : surface_(surface), moving_(sphere) {}
@@ -25,13 +23,21 @@ class Verdict {
   /// Considers a face, its edges and its vertices, or only those with a bit here: the face, the edges ab, bc,
   /// ca, the vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be
   /// touched where another one is.
-  void consider(const Place& place, unsigned features);
+  /// \param within_face  \see touch_face
+  void consider(const Place& place, unsigned features, bool within_face = false);
   /// All of them.
   void consider(const Place& place) { consider(place, 127); }
   /// Begins once more, as if nothing had been considered.
   void forget();
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
+  /// How deep the sphere is, at the start, in the face that is then the first contact so far; or else 0. Of
+  /// contacts at the start faces win, and of faces the nearest: what is farther away than this one, by more
+  /// than rounding, does not matter any more. \see limits.inc
+  double depth() const {
+    const bool in_face = first_ && first_->time == 0 && first_->feature == Feature::face;
+    return in_face ? moving_.shape.radius - first_->distance : 0;
+  }
   std::optional<Contact> contact() const;
 
  private:
@@ -40,8 +46,8 @@ class Verdict {
   /// Remembers some features that were considered, since neighbouring triangles share them.
   template <class Key>
   struct Recent {
-    std::array<Key, 8> key{};
-    std::size_t count = 0;
+    std::array<Key, 32> key;  // + 1, so that 0 is none; each has a place, where the last one that came stays
+    bool filled = false;      // most casts ask for nothing here, and need no zeros
     bool seen(const Key& k);
   };
 

@@ -22,20 +22,21 @@ struct Walk {
   double error;  ///< positions, radius and the doubles that decide are wrong by less than this
 
   // Kept up to date by whoever decides:
-  float latest;  ///< contacts later than this do not matter; rounded up
+  float latest;  ///< contacts later than this do not matter; rounded up. Below 0: \see Verdict::depth
 
   // Found by next():
   const LeafHead* leaf;  ///< this leaf's ...
   unsigned survivors;    ///< ... triangles with these bits may be touched, ...
-  float bound[width];    ///< ... not before these times
+  float bound[width];    ///< ... not before these times, or, if less than 0, not deeper at the start
 
   // The walk's own:
-  float from[3], inverse[3], grown[3];  // rounded start, 1 / travel, and (radius + error) / |travel|
-  float across[3];                      // travel, rounded
-  float slab_slack;  // radius + error for slabs; less than 0: slabs are not worth their time
-  float length;      // of the travel, rounded up
-  int near_row[3];   // 1 where the travel is negative: the path then enters at the high side
-  int waiting;       // entries on the stack
+  float from[3], inverse[3];  // rounded start, and 1 / travel
+  float across[3];            // travel, rounded
+  float reach;                // radius + error
+  float slab_slack;           // error for slabs; less than 0: slabs are not worth their time
+  float length;               // of the travel, rounded up
+  int near_row[3];            // 1 where the travel is negative: the path then enters at the high side
+  int waiting;                // entries on the stack
   struct Entry {
     Ref ref;
     float time;
@@ -55,6 +56,7 @@ struct Question {
 /// What of a triangle may be touched in time.
 struct Found {
   unsigned features;  ///< one bit each: the face, the edges ab, bc, ca, the vertices a, b, c
+  bool within;        ///< it is the face, and surely far from its sides: \see touch_face
   double early[7];    ///< those with a bit are not touched before
   double late;  ///< by then the triangle is touched, as far as can be seen; infinite if that is not clear
 };
