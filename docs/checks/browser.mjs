@@ -87,13 +87,18 @@ async function faultsOfKeyboard(page) {
   const reached = new Set();
   for (let i = 0; i < wanted + 5 && reached.size < wanted; ++i) {
     await page.keyboard.press('Tab');
-    const stop = await page.evaluate(() => {
+    const look = () => page.evaluate(() => {
       const at = document.activeElement, style = getComputedStyle(at), inner = at.querySelector?.('rect');
       const box = at.getBoundingClientRect();
       return {id: at.dataset.stop, text: at.textContent.trim().slice(0, 30), skip: at.classList.contains('skip'), inside: box.right > 0 && box.bottom > 0,
               seen: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 1 || !!inner && getComputedStyle(inner).strokeWidth === '1.8px' ||
                     at.id === 'MSearchField'};
     });
+    let stop = await look();
+    for (let waited = 0; waited < 10 && !(stop.seen && stop.inside); ++waited) {  // the page may still be scrolling there
+      await page.waitForTimeout(50);
+      stop = await look();
+    }
     if (i === 0 && !stop.skip) faults.push('the first stop of the Tab key is not the way to the text');
     if (stop.id === undefined) continue;
     if (!reached.has(stop.id) && !(stop.seen && stop.inside)) faults.push(`"${stop.text}" has the focus, and one does not see it`);

@@ -29,7 +29,7 @@ inline double choose(bool which, double yes, double no) { return which ? yes : n
 inline bool any(bool which) { return which; }
 
 #if defined(__AVX512F__)
-typedef double Doubles __attribute__((vector_size(64)));
+using Doubles __attribute__((vector_size(64))) = double;
 using Longs = decltype(Doubles{} < Doubles{});
 
 inline Doubles read(const double* from, Doubles) { return (Doubles)_mm512_loadu_pd(from); }
@@ -44,7 +44,7 @@ inline bool any(Longs which) { return _mm512_test_epi64_mask((__m512i)which, (__
 using Widest = Doubles;
 
 #elif defined(__AVX2__) && defined(__FMA__)
-typedef double Doubles __attribute__((vector_size(32)));
+using Doubles __attribute__((vector_size(32))) = double;
 using Longs = decltype(Doubles{} < Doubles{});
 
 inline Doubles read(const double* from, Doubles) { return (Doubles)_mm256_loadu_pd(from); }

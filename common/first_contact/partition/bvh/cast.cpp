@@ -30,7 +30,7 @@ double earliest(const Found& found) {
 /// The features that may be touched by a time.
 unsigned by(double time, const Found& found) {
   unsigned features = 0;
-  each_feature(found, [&](int i) { features |= found.early[i] <= time ? 1u << i : 0u; });
+  each_feature(found, [&](int i) { features |= found.early[i] <= time ? 1U << i : 0U; });
   return features;
 }
 
@@ -154,7 +154,7 @@ void Cast::decide() {
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
     consider(places[nearest], walk_.bound[nearest] <= 0);
-    left &= ~(1u << nearest);
+    left &= ~(1U << nearest);
   }
 }
 //! [decide]

@@ -20,10 +20,10 @@
 namespace first_contact::bvh {
 namespace {
 
-typedef float Floats __attribute__((vector_size(32)));
-typedef std::int32_t Ints __attribute__((vector_size(32)));
-typedef double Doubles __attribute__((vector_size(32)));
-typedef std::int64_t Longs __attribute__((vector_size(32)));
+using Floats __attribute__((vector_size(32))) = float;
+using Ints __attribute__((vector_size(32))) = std::int32_t;
+using Doubles __attribute__((vector_size(32))) = double;
+using Longs __attribute__((vector_size(32))) = std::int64_t;
 
 [[maybe_unused]] inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
 [[maybe_unused]] inline Doubles all4(double x) { return Doubles{x, x, x, x}; }

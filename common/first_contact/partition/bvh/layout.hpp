@@ -30,7 +30,7 @@ inline constexpr int most_waiting = (width - 1) * deepest + 1;
 /// Names a node or a leaf: its number, with the top bit set for a leaf, which is counted in units of
 /// leaf_unit bytes.
 using Ref = std::uint32_t;
-inline constexpr Ref leaf_bit = 0x80000000u;
+inline constexpr Ref leaf_bit = 0x80000000U;
 inline constexpr std::uint32_t leaf_unit = 32;
 
 /// A node: up to eight children, each with its box and a slab.

@@ -10,7 +10,7 @@ namespace first_contact::bvh {
 /// How many threads are worth starting for so many triangles.
 inline unsigned threads_for(std::size_t triangles) {
   constexpr std::size_t worth_a_thread = 1 << 14;
-  const std::size_t most = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
   return static_cast<unsigned>(std::min(most, 1 + triangles / worth_a_thread));
 }
 

@@ -53,8 +53,9 @@ Item make_item(const Mesh& mesh, const Space& space, std::uint32_t number) {
               c = space.point(mesh.vertices()[face[2]]);
   const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c).cast<float>(),
                         high = a.cwiseMax(b).cwiseMax(c).cast<float>();
-  return {Floats4{low[0], low[1], low[2], static_cast<float>(number % Item::half)},
-          Floats4{high[0], high[1], high[2], static_cast<float>(number / Item::half)}};
+  const std::uint32_t lower_half = number % Item::half, upper_half = number / Item::half;
+  return {Floats4{low[0], low[1], low[2], static_cast<float>(lower_half)},
+          Floats4{high[0], high[1], high[2], static_cast<float>(upper_half)}};
 }
 
 /// Where to cut: along an axis, after a bin.
@@ -70,7 +71,7 @@ struct Bins {
   std::array<std::array<std::uint32_t, bins>, 3> count{};
 
   explicit Bins(const Box& middles) : from(middles.low) {
-    const Floats4 width = middles.high - middles.low, all = Floats4{} + 0.9999f * bins, none{};
+    const Floats4 width = middles.high - middles.low, all = Floats4{} + 0.9999F * bins, none{};
     per_length = width > none ? all / width : none;
   }
   int bin_of(const Item& item, int axis) const {
@@ -86,7 +87,10 @@ struct Bins {
   }
 };
 
-float leaves_for(std::uint32_t triangles) { return static_cast<float>((triangles + width - 1) / width); }
+float leaves_for(std::uint32_t triangles) {
+  const std::uint32_t leaves = (triangles + width - 1) / width;
+  return static_cast<float>(leaves);
+}
 
 //! [best_cut]
 /// The best of 15 cuts along an axis: surface times work, of both sides.
@@ -132,7 +136,7 @@ class Splitter {
 bool Splitter::small_enough(std::uint32_t first, std::uint32_t count) const {
   if (count <= always_a_leaf) return true;
   if (count > width) return false;
-  std::array<std::uint32_t, 3 * width> seen{};
+  std::array<std::uint32_t, std::size_t{3} * width> seen{};
   auto end = seen.begin();
   for (const Item& item : items_.subspan(first, count))
     for (const std::uint32_t vertex : merged_.corners(mesh_.faces()[item.number()]))

@@ -8,7 +8,7 @@
 namespace first_contact::bvh {
 
 /// Three floats and one to spare: one register on any machine with vectors, four floats on others.
-typedef float Floats4 __attribute__((vector_size(16)));
+using Floats4 __attribute__((vector_size(16))) = float;
 
 /// A node of the binary tree, from which the wide one is made.
 struct Branch {

@@ -53,9 +53,9 @@ void Verdict::consider(const Place& place, unsigned features, bool within_face) 
     keep(touch_face(moving_, Facet(surface_.triangle(place)), within_face),
          {corners[0], corners[1], corners[2]}, place.number);
   for (std::size_t slot = 0; slot < 3; ++slot)
-    if (features & 2u << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
+    if (features & 2U << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
   for (std::size_t slot = 0; slot < 3; ++slot)
-    if (features & 16u << slot) consider_vertex(corners[slot]);
+    if (features & 16U << slot) consider_vertex(corners[slot]);
 }
 
 void Verdict::forget() {
