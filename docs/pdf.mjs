@@ -8,7 +8,7 @@ import {executable} from './checks/browser.mjs';
 import {build, chapters, escape, html, otherPages, read} from './tools/book.mjs';
 import {chapterMap} from './tools/generated.mjs';
 
-const goesOn = (part) => part.library && part.folder;
+const goesOn = (part) => part.isLibrary && part.folder;
 const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...otherPages.filter(({front}) => !front)];
 
 // Files that are folded on their page would be half of the book: here their names lead to them.

@@ -76,6 +76,7 @@ function faultsOfPage(wholeBook) {
 // As one who has no mouse goes through the page: the first stop is the way past the contents, every stop can be seen, and
 // everything that can be pressed is a stop.
 async function faultsOfKeyboard(page) {
+  await page.evaluate(() => document.fonts.ready);  // a letter that comes late moves what has the focus
   const faults = [], wanted = await page.evaluate(() => {
     document.activeElement?.blur();
     scrollTo(0, 0);
@@ -90,7 +91,8 @@ async function faultsOfKeyboard(page) {
     const look = () => page.evaluate(() => {
       const at = document.activeElement, style = getComputedStyle(at), inner = at.querySelector?.('rect');
       const box = at.getBoundingClientRect();
-      return {id: at.dataset.stop, text: at.textContent.trim().slice(0, 30), skip: at.classList.contains('skip'), inside: box.right > 0 && box.bottom > 0,
+      return {id: at.dataset.stop, text: at.textContent.trim().slice(0, 30), skip: at.classList.contains('skip'),
+              inside: box.right > 0 && box.bottom > 0, where: `${box.left}, ${box.top}`,
               seen: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 1 || !!inner && getComputedStyle(inner).strokeWidth === '1.8px' ||
                     at.id === 'MSearchField'};
     });
@@ -101,7 +103,7 @@ async function faultsOfKeyboard(page) {
     }
     if (i === 0 && !stop.skip) faults.push('the first stop of the Tab key is not the way to the text');
     if (stop.id === undefined) continue;
-    if (!reached.has(stop.id) && !(stop.seen && stop.inside)) faults.push(`"${stop.text}" has the focus, and one does not see it`);
+    if (!reached.has(stop.id) && !(stop.seen && stop.inside)) faults.push(`"${stop.text}" has the focus, and ${stop.seen ? `is at ${stop.where}, off the screen` : 'has no outline'}`);
     reached.add(stop.id);
   }
   if (reached.size < wanted) faults.push(`${wanted - reached.size} of ${wanted} links and buttons are out of the Tab key's reach`);

@@ -42,7 +42,7 @@ export function contents(current, sections) {
          '<h2>The library</h2>' + list([otherPages.find(({id}) => id === 'library'),
                                        {page: 'namespacefirst__contact.html', title: 'All names'}],
                                       (page) => page.id ? 'File by file' : title(page)) +
-         '<h2>Reference</h2>' + list(otherPages.filter((page) => !page.front && !page.library), title);
+         '<h2>Reference</h2>' + list(otherPages.filter((page) => !page.front && !page.isLibrary), title);
 }
 
 // --- the map of chapters ------------------------------------------------------------------------------------------

@@ -47,7 +47,7 @@ function cut(text, rules) {
 
 class Page {
   constructor(id, source, chapter, text = read(source)) {
-    Object.assign(this, {id, source, chapter, text, figures: [], libraryFiles: []});
+    Object.assign(this, {id, source, chapter, text, figures: [], filesShown: []});
     this.name = fromRoot(source);
   }
 
@@ -183,7 +183,7 @@ class Page {
   files(stems, index) {
     return this.attempt(index, () => {
       const files = stems.trim().split(/\s+/).flatMap(filesOf);
-      this.libraryFiles.push(...files);
+      this.filesShown.push(...files);
       return blockToken(whereTold(files, shown.snippets)) + files.map((file) => this.listing(`first_contact/${file}`, '', `\`${basename(file)}\``, index)).join('');
     });
   }
@@ -253,6 +253,6 @@ export function weave({id, source, chapter, title, folder, head = '', foot = '',
   page.text = page.text.replace(/^# .+\n/, '\n');
   const label = id === 'index' ? '{#mainpage}' : `{#${id.replaceAll('_', '-')}}`;
   const body = page.body();
-  if (folder) checkPage({folder, source}, page.libraryFiles);
+  if (folder) checkPage({folder, source}, page.filesShown);
   return `# ${title} ${label}\n${head && blockToken(head)}\n${body}\n${foot && blockToken(foot)}\n`;
 }
