@@ -11,12 +11,6 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// How much the walk must allow for what the verdict rounds, and for the way into the tree's unit, in terms
-/// of all lengths in play. The verdict's distances are wrong by at most rounding_of_distance of centre to
-/// corner + side + path + r, each at most sqrt 3 or 2 sqrt 3 times its largest coordinate; that is less than
-/// half of this.
-constexpr double error_per_length = 256 * eps;
-
 /// Calls visit(feature) for each feature that was found.
 template <class Visit>
 void each_feature(const Found& found, const Visit& visit) {
@@ -38,44 +32,10 @@ unsigned by(double time, const Found& found) {
 
 Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
     : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(*surface.surface, moving) {
-  const auto& [center, radius] = moving.shape;
   const Vector& v = moving.displacement;
-  question_ = {{center.x(), center.y(), center.z()}, {v.x(), v.y(), v.z()}, radius, 1 / v.norm()};
-  near_ = surface.mesh.size() > 0 && !moving.displacement.isZero(0) && enter(moving, surface.space);
-  if (near_) walker_.begin(tree_, walk_);
+  question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
+  near_ = surface.mesh.size() > 0 && !v.isZero(0) && walker_.begin(tree_, question_, walk_);
 }
-
-//! [enter]
-/// Cuts the path down to the part that is near the mesh, in doubles: what the floats see is never far away.
-bool Cast::enter(const Moving<Sphere>& moving, const Space& space) {
-  const Point start = space.point(moving.shape.center);
-  const Vector travel = space.vector(moving.displacement);
-  walk_.radius = space.length(moving.shape.radius);
-  const double offset = space.length(moving.shape.center.cwiseAbs().maxCoeff());
-  walk_.error = error_per_length *
-                (1 + walk_.radius + offset + start.cwiseAbs().maxCoeff() + travel.cwiseAbs().maxCoeff());
-
-  const double reach = (1 + walk_.radius) * (1 + 0x1p-20) + 2 * walk_.error;
-  const bool inside = start.cwiseAbs().maxCoeff() <= reach && (start + travel).cwiseAbs().maxCoeff() <= reach;
-  double from = 0, to = 1;
-  for (Eigen::Index i = 0; i < 3 && !inside; ++i) {
-    if (std::abs(start[i]) > reach && travel[i] == 0) return false;
-    if (travel[i] == 0) continue;
-    const double low = (-reach - start[i]) / travel[i], high = (reach - start[i]) / travel[i];
-    from = std::max(from, std::min(low, high));
-    to = std::min(to, std::max(low, high));
-  }
-  if (from > to) return false;
-  from_ = from;
-  width_ = to - from;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    walk_.start[i] = start[k] + from * travel[k];
-    walk_.travel[i] = width_ * travel[k];
-  }
-  return true;
-}
-//! [enter]
 
 void Cast::note_latest() {
   const double latest = std::min(verdict_.latest(), hoped_);
@@ -85,7 +45,7 @@ void Cast::note_latest() {
     walk_.latest = static_cast<float>(walk_.radius * 0x1p-22 - depth);
     return;
   }
-  const double tau = (latest - from_ + 4 * eps) / width_;
+  const double tau = (latest - walk_.from_time + 4 * eps) / walk_.duration;
   if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
 
@@ -126,7 +86,7 @@ bool Cast::done() {
   hopeful_ = false;
   hoped_ = 2;
   verdict_.forget();
-  walker_.begin(tree_, walk_);
+  walker_.begin(tree_, question_, walk_);
   return false;
 }
 //! [consider]

@@ -28,7 +28,6 @@ class Cast {
   std::optional<Contact> contact() const { return verdict_.contact(); }
 
  private:
-  bool enter(const Moving<Sphere>& moving, const Space& space);
   void fetch_places() const;
   void fetch_corners() const;
   void decide();
@@ -41,8 +40,7 @@ class Cast {
   const Walker& walker_;
   const Tree tree_;
   Verdict verdict_;
-  bool near_ = false;            // does the sphere come near the mesh at all?
-  double from_ = 0, width_ = 1;  // the time when it does, and for how long
+  bool near_ = false;  // does the sphere come near the mesh at all?
   Question question_;
   /// What is on its way from memory.
   enum class Awaited { tree, places, corners } awaited_ = Awaited::tree;

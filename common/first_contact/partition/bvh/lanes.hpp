@@ -20,16 +20,26 @@
 namespace first_contact::bvh {
 namespace {
 
+using Floats4 __attribute__((vector_size(16))) = float;
 using Floats __attribute__((vector_size(32))) = float;
+using Ints4 __attribute__((vector_size(16))) = std::int32_t;
 using Ints __attribute__((vector_size(32))) = std::int32_t;
 using Doubles __attribute__((vector_size(32))) = double;
 using Longs __attribute__((vector_size(32))) = std::int64_t;
 
 [[maybe_unused]] inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
+[[maybe_unused]] inline Floats4 all_axes(float x) { return Floats4{x, x, x, x}; }
+[[maybe_unused]] inline Floats4 to_floats(Doubles a) { return __builtin_convertvector(a, Floats4); }
+[[maybe_unused]] inline Doubles to_doubles(Floats4 a) { return __builtin_convertvector(a, Doubles); }
+[[maybe_unused]] inline double largest3(Doubles a) {
+  const double b = a[0] > a[1] ? a[0] : a[1];
+  return b > a[2] ? b : a[2];
+}
 [[maybe_unused]] inline Doubles all4(double x) { return Doubles{x, x, x, x}; }
 [[maybe_unused]] inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
 /// Each lane from the one two before it, round about: the last of three to the first place.
 [[maybe_unused]] inline Doubles turn(Doubles a) { return Doubles{a[2], a[0], a[1], a[2]}; }
+[[maybe_unused]] inline Floats4 magnitude(Floats4 a) { return (Floats4)((Ints4)a & 0x7fffffff); }
 [[maybe_unused]] inline Floats magnitude(Floats a) { return (Floats)((Ints)a & 0x7fffffff); }
 /// a, with its sign turned where b is negative.
 [[maybe_unused]] inline Floats turned_like(Floats a, Floats b) {
@@ -44,8 +54,15 @@ inline Value read(const void* from) {
   return value;
 }
 
+[[maybe_unused]] inline void write(float* to, Floats4 a) { __builtin_memcpy(to, &a, sizeof a); }
+[[maybe_unused]] inline void write(double* to, Doubles a) { __builtin_memcpy(to, &a, sizeof a); }
+
 #if defined(__AVX2__)
 
+/// Not more than the root, nor less than .999 of it, unless that is less than 2^-50.
+inline Floats about_root(Floats a) {
+  return a * (Floats)_mm256_rsqrt_ps((__m256)(a + all(0x1p-100f))) * all(1 - 0x1p-11f);
+}
 /// Writes to any address, in one go: of what is then read singly no lane has to wait for another.
 inline void write(float* to, Floats a) { _mm256_storeu_ps(to, (__m256)a); }
 /// a < b ? a : b, and a > b ? a : b: if one is not a number, b.
@@ -123,6 +140,7 @@ inline Doubles root(Doubles a) {
   return a;
 }
 inline Floats about_one_over(Floats a) { return 1.0f / a; }
+inline Floats about_root(Floats a) { return root(a); }
 template <class Number>
 inline Floats from_numbers(const Number* p) {
   Floats result;

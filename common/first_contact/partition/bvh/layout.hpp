@@ -27,6 +27,9 @@ inline constexpr int most_vertices = 16;
 inline constexpr int deepest = 72;
 inline constexpr int most_waiting = (width - 1) * deepest + 1;
 
+/// There are fewer nodes than triangles, of which there are 2^28 at most.
+inline constexpr std::uint32_t most_nodes = (std::uint32_t{1} << 28) - 1;
+
 /// Names a node or a leaf: its number, with the top bit set for a leaf, which is counted in units of
 /// leaf_unit bytes.
 using Ref = std::uint32_t;
@@ -35,17 +38,16 @@ inline constexpr std::uint32_t leaf_unit = 32;
 
 /// A node: up to eight children, each with its box and a slab.
 ///
-/// Child j's box is origin + step * low[.][j] ... origin + step * high[.][j], rounded outward; step is a
-/// power of two. Its slab holds all its points x: slab[0][j] <= slab step * n.(x - origin) + offset <=
+/// Child j's box goes along axis i from origin + step * side[i][j] to origin + step * side[3 + i][j], rounded
+/// outward; step is a power of two. Its slab holds all its points x: slab[0][j] <= slab step * n.(x - origin) + offset <=
 /// slab[1][j] (\see pack.cpp).
 struct alignas(64) Node {
-  float origin[3], step[3];
-  std::uint32_t first_node;  ///< its inner children are numbered from here on
-  std::uint32_t first_leaf;  ///< its first leaf
-  std::uint8_t low[3][width], high[3][width];
-  std::uint8_t child[width];  ///< 0..7: inner child; 128 + n: the leaf n units after the first
-  std::uint8_t count;         ///< how many children
-  std::uint8_t unused[7];
+  float origin[4], step[4];       ///< along the three axes; and 0
+  std::uint32_t first_node : 28;  ///< its inner children are numbered from here on
+  std::uint32_t count : 4;        ///< how many children
+  std::uint32_t first_leaf;       ///< its first leaf
+  std::uint8_t side[6][width];
+  std::uint8_t child[width];       ///< 0..7: inner child; 128 + n: the leaf n units after the first
   std::uint32_t leaves_of[width];  ///< the first leaf of an inner child, to be fetched together with it; or 0
   std::int8_t normal[3][width];    ///< the mean normal of a child, 127 long
   std::uint16_t slab[2][width];
@@ -76,7 +78,9 @@ struct Tree {
   const unsigned char* leaves;
   const Place* places;  ///< of the triangles, in the order of the leaves
   Ref root;
-  float leaf_size;  ///< the mean size of a leaf
+  float leaf_size;          ///< the mean size of a leaf
+  double center[3], scale;  ///< its unit: \see space.hpp
+  double offset;            ///< 1 + the largest coordinate of its centre, in its unit
 };
 
 }  // namespace first_contact::bvh

@@ -161,8 +161,8 @@ void write_boxes(Node& node, const Branch& whole, const std::vector<Branch>& bra
     for (std::size_t j = 0; j < width; ++j) {
       if (step == 0 || j >= static_cast<std::size_t>(cover.count)) continue;
       const Branch& child = branches[cover.branch[j]];
-      node.low[i][j] = static_cast<std::uint8_t>(std::floor((child.low[i] - origin) / step));
-      node.high[i][j] = static_cast<std::uint8_t>(std::ceil((child.high[i] - origin) / step));
+      node.side[i][j] = static_cast<std::uint8_t>(std::floor((child.low[i] - origin) / step));
+      node.side[3 + i][j] = static_cast<std::uint8_t>(std::ceil((child.high[i] - origin) / step));
     }
   }
 }
@@ -170,7 +170,7 @@ void write_boxes(Node& node, const Branch& whole, const std::vector<Branch>& bra
 /// Leaves that are children of one node lie together, and so do its inner children, for which this makes
 /// room.
 void Packer::write_children(Node& node, const Cover& cover) {
-  node.first_node = static_cast<std::uint32_t>(result_.nodes.size());
+  node.first_node = static_cast<std::uint32_t>(result_.nodes.size()) & most_nodes;
   node.first_leaf = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
   std::uint8_t inner = 0;
   for (std::size_t j = 0; j < node.count; ++j) {
@@ -184,7 +184,7 @@ void Packer::write_children(Node& node, const Cover& cover) {
 
 Node Packer::make_node(std::uint32_t number, const Cover& cover) {
   Node node{};
-  node.count = static_cast<std::uint8_t>(cover.count);
+  node.count = static_cast<std::uint32_t>(cover.count) & 15;
   write_boxes(node, branch(number), tree_.branches, cover);
   write_children(node, cover);
   return node;
@@ -245,7 +245,7 @@ Node Packer::append(const Packer& part, const Node& top) {
   const auto nodes = static_cast<std::uint32_t>(result_.nodes.size());
   const auto leaves = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
   const auto move = [&](Node& node) {
-    node.first_node += nodes;
+    node.first_node = (node.first_node + nodes) & most_nodes;
     node.first_leaf += leaves;
     for (std::uint32_t& first : node.leaves_of) first += leaves;
     return node;

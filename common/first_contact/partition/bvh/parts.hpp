@@ -18,8 +18,15 @@ struct Bvh::Parts {
   std::optional<bvh::Surface> surface;
 
   bvh::Tree tree() const {
-    return {packed.nodes.data(), packed.leaves.data(), surface->places().data(), packed.root,
-            packed.leaf_size};
+    const Point& center = space.center();
+    return {packed.nodes.data(),
+            packed.leaves.data(),
+            surface->places().data(),
+            packed.root,
+            packed.leaf_size,
+            {center.x(), center.y(), center.z()},
+            space.scale(),
+            1 + center.cwiseAbs().maxCoeff() * space.scale()};
   }
 };
 

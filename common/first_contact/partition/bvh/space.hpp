@@ -19,6 +19,9 @@ class Space {
   Vector vector(const Vector& v) const { return v * scale_; }
   double length(double l) const { return l * scale_; }
 
+  const Point& center() const { return center_; }
+  double scale() const { return scale_; }
+
  private:
   Point center_ = Point::Zero();
   double scale_ = 1;

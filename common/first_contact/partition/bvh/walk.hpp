@@ -16,10 +16,11 @@ namespace first_contact::bvh {
 /// A cast in the tree's unit, and how far it has got. Times here, tau, run from 0 to 1 over the part of the
 /// path that is near the mesh.
 struct Walk {
-  // Given to begin():
-  double start[3], travel[3];  ///< the centre's path
+  // Found by begin(): the part of the path that is near the mesh, in the tree's unit.
+  double start[4], travel[4];  ///< the centre's; three numbers and 0
   double radius;
-  double error;  ///< positions, radius and the doubles that decide are wrong by less than this
+  double error;                ///< positions, radius and the doubles that decide are wrong by less than this
+  double from_time, duration;  ///< when this part begins, of the cast's own time, and how long it lasts
 
   // Kept up to date by whoever decides:
   float latest;  ///< contacts later than this do not matter; rounded up. Below 0: \see Verdict::depth
@@ -29,14 +30,16 @@ struct Walk {
   unsigned survivors;    ///< ... triangles with these bits may be touched, ...
   float bound[width];    ///< ... not before these times, or, if less than 0, not deeper at the start
 
-  // The walk's own:
-  float from[3], inverse[3];  // rounded start, and 1 / travel
-  float across[3];            // travel, rounded
-  float reach;                // radius + error
-  float slab_slack;           // error for slabs; less than 0: slabs are not worth their time
-  float length;               // of the travel, rounded up
-  int near_row[3];            // 1 where the travel is negative: the path then enters at the high side
-  int waiting;                // entries on the stack
+  // The walk's own; along the three axes, and a fourth that does not matter.
+  float from[4], across[4];       // start and travel, rounded
+  float way[4], turned[4];        // |across|, and 1 or -1 for its direction
+  float inverse[4], grown[4];     // 1 / way, and the radius, with its error, in the time that it takes
+  int near_side[3], far_side[3];  // by which the path enters and leaves a box: \see Node
+  float reach;                    // radius + error
+  float slab_slack;               // error for slabs; less than 0: slabs are not worth their time
+  float length;                   // of the travel, rounded up
+  float aside;                    // what is ahead by less than this, times the length, may be behind
+  int waiting;                    // entries on the stack
   struct Entry {
     Ref ref;
     float time;
@@ -49,8 +52,8 @@ enum class Stop { survivors, pause, end };
 
 /// A cast in the unit of the mesh, for the doubles.
 struct Question {
-  double center[3], travel[3], radius;
-  double slowness;  ///< 1 / |travel|
+  const double *center, *travel;  // where the caller has them: three numbers each
+  double radius;
 };
 
 /// What of a triangle may be touched in time.
@@ -63,7 +66,8 @@ struct Found {
 
 /// The same code compiled for one instruction set.
 struct Walker {
-  void (*begin)(const Tree&, Walk&);
+  /// \returns whether the sphere comes near the mesh at all
+  bool (*begin)(const Tree&, const Question&, Walk&);
   Stop (*next)(const Tree&, Walk&);  ///< goes on to the next leaf with survivors, or to the end
   Stop (*step)(const Tree&, Walk&);  ///< one node or leaf at most
   /// What of the triangle abc may be touched in time? It may be that it overlaps the sphere at the start.
