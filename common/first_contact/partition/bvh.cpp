@@ -15,9 +15,8 @@ Bvh::Parts::Parts(Mesh triangles) : mesh(std::move(triangles)), space(mesh) {
   const bvh::Merged merged(mesh);
   bvh::BinaryTree binary;
   if (mesh.size() > 0) binary = bvh::split(mesh, space, merged);
-  auto ordered = std::async(std::launch::async, [&] { surface.emplace(mesh, merged, binary.order); });
-  packed = bvh::pack(binary, mesh, space, merged);
-  ordered.get();
+  surface.emplace(mesh, merged, binary.order);
+  packed = bvh::pack(binary, mesh, space, merged, *surface);
 }
 
 Bvh::Bvh(Mesh mesh) {

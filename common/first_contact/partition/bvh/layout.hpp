@@ -51,6 +51,7 @@ struct alignas(64) Node {
   std::uint32_t leaves_of[width];  ///< the first leaf of an inner child, to be fetched together with it; or 0
   std::int8_t normal[3][width];    ///< the mean normal of a child, 127 long
   std::uint16_t slab[2][width];
+  std::uint8_t cone[width];  ///< the cosine of the child's cone, in 255ths, or 0 for none: \see cones.hpp
 };
 static_assert(sizeof(Node) == 192);
 
@@ -63,8 +64,9 @@ struct LeafHead {
       exponent;  ///< its unit of length is 2^exponent; no coordinate of a vertex is larger than one unit
   std::uint32_t corner[3];  ///< corner a, b, c of triangle j: vertex number (corner >> 4 j) & 15
   float origin[3];
+  std::uint8_t cone[width];  ///< of each triangle, as of a node's child
 };
-static_assert(sizeof(LeafHead) == 32);
+static_assert(sizeof(LeafHead) == 40);
 
 /// A triangle, as a cast needs it that has come to its leaf: its number in the mesh, and the representatives
 /// of its corners.

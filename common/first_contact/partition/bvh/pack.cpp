@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "first_contact/partition/bvh/collapse.hpp"
+#include "first_contact/partition/bvh/cones.hpp"
 #include "first_contact/partition/bvh/parallel.hpp"
 
 namespace first_contact::bvh {
@@ -24,8 +25,14 @@ constexpr std::size_t read_past_the_end = 64;
 class Packer {
  public:
   Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Merged& vertices,
-         const Collapse& wide)
-      : tree_(from), mesh_(surface), space_(unit), merged_(vertices), collapse_(wide) {}
+         const Collapse& wide, const Surface& ordered, const NormalCones& cones)
+      : tree_(from),
+        mesh_(surface),
+        space_(unit),
+        merged_(vertices),
+        collapse_(wide),
+        surface_(ordered),
+        cones_(cones) {}
 
   PackedTree pack();
 
@@ -35,6 +42,7 @@ class Packer {
   const Mesh::Face& face(std::uint32_t place) const { return mesh_.faces()[tree_.order[place]]; }
 
   std::uint32_t add_leaf(const Branch& leaf);
+  std::uint8_t cone_of(std::uint32_t place) const;
   Node make_node(std::uint32_t number, const Cover& cover);
   Node subtree(std::uint32_t number);
   void attach(Node& parent, std::size_t j, const Node& child);
@@ -51,6 +59,8 @@ class Packer {
   const Space& space_;
   const Merged& merged_;
   const Collapse& collapse_;
+  const Surface& surface_;
+  const NormalCones& cones_;
   PackedTree result_;
   std::size_t leaf_count_ = 0;
   double sum_of_sizes_ = 0;
@@ -69,6 +79,12 @@ struct LeafVertices {
   }
 };
 
+std::uint8_t Packer::cone_of(std::uint32_t place) const {
+  const auto triangle = surface_.places().subspan(place, 1);
+  const Vector normal = surface_.triangle(triangle[0]).area_vector().normalized();
+  return static_cast<std::uint8_t>(255 * cones_.cosine_around(normal.cast<float>(), triangle));
+}
+
 /// Gives the leaf's place, in units.
 std::uint32_t Packer::add_leaf(const Branch& leaf) {
   LeafHead head{};
@@ -80,6 +96,7 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
     for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(corners[i]) << 4 * j;
   }
   head.vertices = static_cast<std::uint8_t>(vertices.count);
+  for (std::uint32_t j = 0; j < leaf.count; ++j) head.cone[j] = cone_of(leaf.first + j);
 
   std::array<Vector, most_vertices> position;
   double reach = 0;
@@ -146,6 +163,9 @@ void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   const auto step_at = [&](double height) { return (height / half + 1) * (65535 / 2.0); };
   node.slab[0][j] = static_cast<std::uint16_t>(std::clamp(std::floor(step_at(low) - 1e-3), 0.0, 65535.0));
   node.slab[1][j] = static_cast<std::uint16_t>(std::clamp(std::ceil(step_at(high) + 1e-3), 0.0, 65535.0));
+  const float cosine = cones_.cosine_around(normal.normalized().cast<float>(),
+                                            surface_.places().subspan(child.first, child.count));
+  node.cone[j] = static_cast<std::uint8_t>(255 * cosine * static_cast<float>(normal.norm()));
 }
 //! [slab]
 
@@ -215,7 +235,7 @@ PackedTree Packer::pack() {
   const Cover cover = collapse_.children(0);
   result_.nodes.resize(1);
   Node top = make_node(0, cover);
-  std::vector<Packer> parts(cover.branch.size(), Packer(tree_, mesh_, space_, merged_, collapse_));
+  std::vector<Packer> parts(cover.branch.size(), Packer(tree_, mesh_, space_, merged_, collapse_, surface_, cones_));
   std::array<Node, width> child{};
   in_turns(cover, [&](std::size_t j) { child[j] = parts[j].subtree(cover.branch[j]); });
   for (std::size_t j = 0; j < top.count; ++j)
@@ -267,10 +287,12 @@ PackedTree Packer::finish() {
 
 }  // namespace
 
-PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged) {
+PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged,
+                const Surface& surface) {
   if (tree.order.empty()) return {};
   const Collapse collapse(tree.branches);
-  return Packer(tree, mesh, space, merged, collapse).pack();
+  const NormalCones cones(surface, space);
+  return Packer(tree, mesh, space, merged, collapse, surface, cones).pack();
 }
 
 }  // namespace first_contact::bvh

@@ -5,6 +5,7 @@
 #include "first_contact/partition/bvh/block.hpp"
 #include "first_contact/partition/bvh/layout.hpp"
 #include "first_contact/partition/bvh/split.hpp"
+#include "first_contact/partition/bvh/surface.hpp"
 
 namespace first_contact::bvh {
 
@@ -21,6 +22,7 @@ struct PackedTree {
 ///
 /// The idea: every rounding goes outward. A box is stored in 256 steps of its parent's, a slab in 65,536; low
 /// sides are rounded down and high sides up, so that what is stored holds what it stands for.
-PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged);
+PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged,
+                const Surface& surface);
 
 }  // namespace first_contact::bvh

@@ -27,6 +27,7 @@ class Surface {
 
   /// The triangles, with their corners by their numbers here, each vertex once.
   std::span<const Place> places() const { return places_; }
+  std::size_t vertices() const { return points_.size(); }
   const Point& position(std::uint32_t vertex) const { return points_[vertex]; }
   Triangle triangle(const Place& p) const {
     return {position(p.corner[0]), position(p.corner[1]), position(p.corner[2])};
