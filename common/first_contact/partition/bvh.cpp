@@ -17,6 +17,15 @@ Bvh::Parts::Parts(Mesh triangles) : mesh(std::move(triangles)), space(mesh) {
   if (mesh.size() > 0) binary = bvh::split(mesh, space, merged);
   surface.emplace(mesh, merged, binary.order);
   packed = bvh::pack(binary, mesh, space, merged, *surface);
+  const Point& center = space.center();
+  tree = {packed.nodes.data(),
+          packed.leaves.data(),
+          surface->places().data(),
+          packed.root,
+          packed.leaf_size,
+          {center.x(), center.y(), center.z()},
+          space.scale(),
+          1 + space.length(center.cwiseAbs().maxCoeff())};
 }
 
 Bvh::Bvh(Mesh mesh) {

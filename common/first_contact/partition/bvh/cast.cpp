@@ -31,7 +31,7 @@ unsigned by(double time, const Found& found) {
 }  // namespace
 
 Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
-    : parts_(surface), walker_(walk), tree_(surface.tree()), verdict_(*surface.surface, moving) {
+    : parts_(surface), walker_(walk), tree_(surface.tree), verdict_(*surface.surface, moving) {
   const Vector& v = moving.displacement;
   question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
   near_ = surface.mesh.size() > 0 && !v.isZero(0) && walker_.begin(tree_, question_, walk_);

@@ -38,7 +38,7 @@ class Cast {
 
   const Bvh::Parts& parts_;
   const Walker& walker_;
-  const Tree tree_;
+  const Tree& tree_;
   Verdict verdict_;
   bool near_ = false;  // does the sphere come near the mesh at all?
   Question question_;

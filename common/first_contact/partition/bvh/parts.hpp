@@ -17,17 +17,7 @@ struct Bvh::Parts {
   bvh::PackedTree packed;
   std::optional<bvh::Surface> surface;
 
-  bvh::Tree tree() const {
-    const Point& center = space.center();
-    return {packed.nodes.data(),
-            packed.leaves.data(),
-            surface->places().data(),
-            packed.root,
-            packed.leaf_size,
-            {center.x(), center.y(), center.z()},
-            space.scale(),
-            1 + center.cwiseAbs().maxCoeff() * space.scale()};
-  }
+  bvh::Tree tree;  ///< all this, for the walks
 };
 
 namespace bvh {
