@@ -5,8 +5,6 @@
 #include <limits>
 #include <numeric>
 #include <random>
-#include <sstream>
-#include <string>
 #include <vector>
 
 #include "catch.hpp"
@@ -14,6 +12,7 @@
 #include "first_contact/partition/bvh/parts.hpp"
 #include "first_contact/partition/plain_bvh.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "property/same_contact.hpp"
 
 using namespace first_contact;
 
@@ -96,12 +95,6 @@ Moving<Sphere> cast(Random& random, const Mesh& mesh, double size) {
   return {Sphere{target + away - uniform(random, 0, 1) * v, r}, v};
 }
 
-bool same(const std::optional<Contact>& a, const std::optional<Contact>& b) {
-  if (a.has_value() != b.has_value()) return false;
-  return !a || (a->time == b->time && a->points == b->points && a->normal == b->normal &&
-                a->feature == b->feature && a->triangle == b->triangle);
-}
-
 Mesh shuffled(const Mesh& mesh, Random& random, std::vector<std::uint32_t>& order) {
   order.resize(mesh.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -109,15 +102,6 @@ Mesh shuffled(const Mesh& mesh, Random& random, std::vector<std::uint32_t>& orde
   std::vector<Mesh::Face> faces;
   for (const std::uint32_t i : order) faces.push_back(mesh.faces()[i]);
   return {mesh.vertices(), faces};
-}
-
-std::string told(const std::optional<Contact>& c) {
-  if (!c) return "nothing";
-  std::ostringstream out;
-  out.precision(17);
-  out << c->time << ' ' << c->feature << ' ' << c->triangle << " at " << c->point().transpose() << " normal "
-      << c->normal.transpose();
-  return out.str();
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class Packer {
   const Mesh::Face& face(std::uint32_t place) const { return mesh_.faces()[tree_.order[place]]; }
 
   std::uint32_t add_leaf(const Branch& leaf);
-  std::uint8_t cone_of(std::uint32_t place) const;
+  std::uint8_t cone(const Vector& normal, std::uint32_t first, std::uint32_t count) const;
   Node make_node(std::uint32_t number, const Cover& cover);
   Node subtree(std::uint32_t number);
   void attach(Node& parent, std::size_t j, const Node& child);
@@ -79,10 +79,13 @@ struct LeafVertices {
   }
 };
 
-std::uint8_t Packer::cone_of(std::uint32_t place) const {
-  const auto triangle = surface_.places().subspan(place, 1);
-  const Vector normal = surface_.triangle(triangle[0]).area_vector().normalized();
-  return static_cast<std::uint8_t>(255 * cones_.cosine_around(normal.cast<float>(), triangle));
+/// The cosine of the cone of some triangles about a normal, in 255ths of its length.
+std::uint8_t Packer::cone(const Vector& normal, std::uint32_t first, std::uint32_t count) const {
+  const auto length = static_cast<float>(normal.norm());
+  if (!(length > 0)) return 0;
+  const Eigen::Vector3f axis = normal.cast<float>() / length;
+  const float cosine = cones_.cosine_around(axis, surface_.places().subspan(first, count));
+  return static_cast<std::uint8_t>(255 * length * cosine);
 }
 
 /// Gives the leaf's place, in units.
@@ -96,7 +99,10 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
     for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(corners[i]) << 4 * j;
   }
   head.vertices = static_cast<std::uint8_t>(vertices.count);
-  for (std::uint32_t j = 0; j < leaf.count; ++j) head.cone[j] = cone_of(leaf.first + j);
+  for (std::uint32_t j = leaf.first; j < leaf.first + leaf.count; ++j) {
+    const Vector normal = surface_.triangle(surface_.places()[j]).area_vector();
+    head.cone[j - leaf.first] = cone(normal.normalized(), j, 1);
+  }
 
   std::array<Vector, most_vertices> position;
   double reach = 0;
@@ -108,6 +114,7 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
   int exponent = 0;
   std::frexp(reach, &exponent);
   head.exponent = static_cast<std::int16_t>(std::max(exponent, smallest_exponent));
+  const double per_unit = std::ldexp(1.0, -head.exponent);
 
   const std::size_t size = sizeof head + 3 * sizeof(float) * vertices.count;
   const std::size_t at = result_.leaves.size();
@@ -117,7 +124,7 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
   out += sizeof head;
   for (Eigen::Index i = 0; i < 3; ++i)
     for (std::size_t v = 0; v < vertices.count; ++v, out += sizeof(float)) {
-      const auto coordinate = static_cast<float>(std::ldexp(position[v][i], -head.exponent));
+      const auto coordinate = static_cast<float>(position[v][i] * per_unit);
       std::memcpy(out, &coordinate, sizeof coordinate);
     }
   ++leaf_count_;
@@ -163,9 +170,7 @@ void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   const auto step_at = [&](double height) { return (height / half + 1) * (65535 / 2.0); };
   node.slab[0][j] = static_cast<std::uint16_t>(std::clamp(std::floor(step_at(low) - 1e-3), 0.0, 65535.0));
   node.slab[1][j] = static_cast<std::uint16_t>(std::clamp(std::ceil(step_at(high) + 1e-3), 0.0, 65535.0));
-  const float cosine = cones_.cosine_around(normal.normalized().cast<float>(),
-                                            surface_.places().subspan(child.first, child.count));
-  node.cone[j] = static_cast<std::uint8_t>(255 * cosine * static_cast<float>(normal.norm()));
+  if (child.leaf()) node.cone[j] = cone(normal, child.first, child.count);
 }
 //! [slab]
 
@@ -235,7 +240,8 @@ PackedTree Packer::pack() {
   const Cover cover = collapse_.children(0);
   result_.nodes.resize(1);
   Node top = make_node(0, cover);
-  std::vector<Packer> parts(cover.branch.size(), Packer(tree_, mesh_, space_, merged_, collapse_, surface_, cones_));
+  std::vector<Packer> parts(cover.branch.size(),
+                            Packer(tree_, mesh_, space_, merged_, collapse_, surface_, cones_));
   std::array<Node, width> child{};
   in_turns(cover, [&](std::size_t j) { child[j] = parts[j].subtree(cover.branch[j]); });
   for (std::size_t j = 0; j < top.count; ++j)

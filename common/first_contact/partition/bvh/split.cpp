@@ -14,7 +14,9 @@ namespace first_contact::bvh {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-constexpr int bins = 16;
+constexpr std::size_t most_bins = 16;
+/// A few triangles need fewer bins.
+constexpr std::size_t bins_for(std::size_t triangles) { return triangles <= 32 ? 8 : most_bins; }
 /// So few triangles have no more than 16 vertices for certain.
 constexpr std::uint32_t always_a_leaf = most_vertices / 3;
 /// From this depth on parts are cut in halves by number, so that no mesh makes the tree deeper than
@@ -25,7 +27,11 @@ Floats4 least(Floats4 a, Floats4 b) { return a < b ? a : b; }
 Floats4 most(Floats4 a, Floats4 b) { return a > b ? a : b; }
 
 struct Box {
-  Floats4 low{infinite, infinite, infinite, infinite}, high = -low;
+  Floats4 low, high;
+  static Box empty() {
+    constexpr Floats4 far{infinite, infinite, infinite, infinite};
+    return {far, -far};
+  }
   void add(Floats4 l, Floats4 h) {
     low = least(low, l);
     high = most(high, h);
@@ -67,12 +73,14 @@ struct Cut {
 /// How the middles of some items fall into bins, along each axis.
 struct Bins {
   Floats4 from, per_length;
-  std::array<std::array<Box, bins>, 3> box;
-  std::array<std::array<std::uint32_t, bins>, 3> count{};
+  std::size_t bins;
+  std::array<std::array<Box, most_bins>, 3> box;  // of each axis the first `bins`
+  std::array<std::array<std::uint32_t, most_bins>, 3> count{};
 
-  explicit Bins(const Box& middles) : from(middles.low) {
-    const Floats4 width = middles.high - middles.low, all = Floats4{} + 0.9999F * bins, none{};
-    per_length = width > none ? all / width : none;
+  Bins(const Box& middles, std::size_t triangles) : from(middles.low), bins(bins_for(triangles)) {
+    const Floats4 width = middles.high - middles.low, none{};
+    per_length = width > none ? Floats4{} + 0.9999F * static_cast<float>(bins) / width : none;
+    for (auto& along_axis : box) std::fill_n(along_axis.begin(), bins, Box::empty());
   }
   int bin_of(const Item& item, int axis) const {
     return static_cast<int>((item.middle()[axis] - from[axis]) * per_length[axis]);
@@ -93,19 +101,19 @@ float leaves_for(std::uint32_t triangles) {
 }
 
 //! [best_cut]
-/// The best of 15 cuts along an axis: surface times work, of both sides.
+/// The best of the cuts between bins along an axis: surface times work, of both sides.
 void improve(Cut& best, const Bins& in, int axis) {
   const auto& box = in.box[static_cast<std::size_t>(axis)];
   const auto& count = in.count[static_cast<std::size_t>(axis)];
-  std::array<float, bins> cost_above{};
-  Box above, below;
+  std::array<float, most_bins> cost_above{};
+  Box above = Box::empty(), below = above;
   std::uint32_t n_above = 0, n_below = 0;
-  for (std::size_t i = bins - 1; i > 0; --i) {
+  for (std::size_t i = in.bins - 1; i > 0; --i) {
     above.add(box[i]);
     n_above += count[i];
     cost_above[i] = n_above ? leaves_for(n_above) * above.surface() : infinite;
   }
-  for (std::size_t i = 0; i + 1 < bins; ++i) {
+  for (std::size_t i = 0; i + 1 < in.bins; ++i) {
     below.add(box[i]);
     n_below += count[i];
     if (n_below == 0) continue;
@@ -147,7 +155,7 @@ bool Splitter::small_enough(std::uint32_t first, std::uint32_t count) const {
 /// Measures a part and cuts it in two; gives the size of the first part, or 0 for a leaf.
 std::uint32_t Splitter::cut(std::uint32_t first, std::uint32_t count, int depth, Branch& branch) {
   const auto part = items_.subspan(first, count);
-  Box box, middles;
+  Box box = Box::empty(), middles = box;
   for (const Item& item : part) {
     box.add(item.low, item.high);
     middles.add(item.middle(), item.middle());
@@ -156,7 +164,7 @@ std::uint32_t Splitter::cut(std::uint32_t first, std::uint32_t count, int depth,
   if (small_enough(first, count)) return 0;
   if (depth >= deepest_by_surface) return count / 2;
 
-  Bins in(middles);
+  Bins in(middles, count);
   for (const Item& item : part) in.add(item);
   Cut best;
   for (int axis = 0; axis < 3; ++axis) improve(best, in, axis);

@@ -35,11 +35,11 @@ struct Walk {
   float way[4], turned[4];        // |across|, and 1 or -1 for its direction
   float inverse[4], grown[4];     // 1 / way, and the radius, with its error, in the time that it takes
   int near_side[3], far_side[3];  // by which the path enters and leaves a box: \see Node
-  float reach, bare;              // radius + error, and without; the latter 0 for a radius too large for cones
-  float slab_slack;               // error for slabs; less than 0: slabs are not worth their time
-  float length;                   // of the travel, rounded up
-  float aside;                    // what is ahead by less than this, times the length, may be behind
-  int waiting;                    // entries on the stack
+  float reach, bare;  // radius + error, and without; the latter 0 for a radius too large for cones
+  float slab_slack;   // error for slabs; less than 0: slabs are not worth their time
+  float length;       // of the travel, rounded up
+  float aside;        // what is ahead by less than this, times the length, may be behind
+  int waiting;        // entries on the stack
   struct Entry {
     Ref ref;
     float time;
