@@ -215,9 +215,9 @@ Window<Real> from_apart(const std::vector<Witness<Real>>& all, const Moving<Sphe
   return window;
 }
 
-/// Of one that overlaps, each touch counts of what is nearest to the centre in its surroundings; it must be seen
-/// if it is so for any radius within the bound. What it gets free of may hide an edge from it until it is over
-/// the face beyond: then it is in that face without having come to it.
+/// Of one that overlaps, each touch counts of what is nearest to the centre in its surroundings; it must be
+/// seen if it is so for any radius within the bound. What it gets free of may hide an edge from it until it
+/// is over the face beyond: then it is in that face without having come to it.
 template <class Real>
 Window<Real> from_overlap(const std::vector<Witness<Real>>& all, const Moving<Sphere>& moving) {
   Window<Real> window;

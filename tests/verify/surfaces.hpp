@@ -29,8 +29,8 @@ Mesh sliver(Random& random);
 Mesh placed(const Mesh& mesh, Random& random);
 
 /// A sphere on its way to a vertex, an edge, a seam or a face, squarely or so that it hardly touches, or in
-/// its midst; a sphere of radius 0, a ray, to any of them; or a ray or a sphere of any size, however small, at
-/// an angle to a face that is as flat as may be.
+/// its midst; a sphere of radius 0, a ray, to any of them; or a ray or a sphere of any size, however small,
+/// at an angle to a face that is as flat as may be.
 inline constexpr int aims = 8, flat = 7;
 const char* aim_name(int aim);
 Moving<Sphere> cast(const Mesh& mesh, int aim, Random& random);

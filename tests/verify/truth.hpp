@@ -42,9 +42,9 @@ Vec<Real> exact(const first_contact::Vector& v) {
 
 /// A triangle, which may be degenerate, and the vector from a point to the nearest point of it.
 ///
-/// The face has axes at right angles, f and g, from the corner with the largest angle, g made so twice: however
-/// thin the triangle is, all is then right to the last digits of its longest side. With the products of two
-/// slanting sides half of the digits would be lost, and with them half of the slivers.
+/// The face has axes at right angles, f and g, from the corner with the largest angle, g made so twice:
+/// however thin the triangle is, all is then right to the last digits of its longest side. With the products
+/// of two slanting sides half of the digits would be lost, and with them half of the slivers.
 template <class Real>
 class Triangle {
  public:
