@@ -3,6 +3,7 @@
 
 #include "catch.hpp"
 #include "first_contact/partition/bvh.hpp"
+#include "first_contact/sweep/sphere_triangle.hpp"
 #include "verify/judge.hpp"
 #include "verify/surfaces.hpp"
 
@@ -20,6 +21,19 @@ TEST_CASE(
     CHECK(tally.inexact == 0);
     CHECK(tally.unlike == 0);
   }
+}
+
+TEST_CASE("A point or a small sphere is not lost at a flat angle to a face, nor at a sliver") {
+  surfaces::Random random(20);
+  judge::Tally tally;
+  for (int i = 0; i < 6000; ++i) {
+    const Mesh sliver = surfaces::placed(surfaces::sliver(random), random);
+    const Moving<Sphere> moving = surfaces::cast(sliver, surfaces::flat, random);
+    INFO("cast " << i);
+    judge::add(tally, sliver, moving, sweep(moving, sliver.triangle(0)));
+    REQUIRE(tally.good());
+  }
+  CHECK(tally.hits > 3000);
 }
 
 TEST_CASE("The judge finds fault with a contact that is left out, made up, or moved by a few bounds") {
@@ -42,6 +56,19 @@ TEST_CASE("The judge finds fault with a contact that is left out, made up, or mo
   late.time += 1e-13;
   CHECK(tally_of(down, early).inexact == 1);
   CHECK(tally_of(down, late).inexact == 1);
+}
+
+TEST_CASE("The judge finds fault with the time of a graze at which the sphere is not there") {
+  const Mesh small({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, {{0, 1, 2}});
+  const Moving<Sphere> over{Sphere{{-3, 0.01, 1 + 1e-15}, 1}, {6, 0, 0}};
+  const auto tally_at = [&](double time) {
+    judge::Tally tally;
+    judge::add(tally, small, over, Contact{time, only(Point::Zero()), Vector::UnitZ(), Feature::face, 0});
+    return tally;
+  };
+  CHECK(tally_at(0.505).good());
+  CHECK(tally_at(0.9).inexact == 1);
+  CHECK(tally_at(0.9).worst > 1);
 }
 
 TEST_CASE("The judge finds fault with a ray that slips through a face, or between two") {

@@ -85,3 +85,19 @@ TEST_CASE("A ray through a large triangle, close to one of its corners, hits it"
   REQUIRE(hit);
   CHECK(hit->time == Approx(0.7805622059580964).epsilon(1e-12));  // by exact fractions
 }
+
+TEST_CASE("A ray at a flat angle beside a triangle, in parallel to a side, does not meet it") {
+  const Triangle triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  CHECK(sweep(Moving<Point>{{0.5, 0.25, 0.125}, {0, 0.25, -0.25}}, triangle));
+  CHECK_FALSE(sweep(Moving<Point>{{-0.5, 0.25, 0.125}, {0, 0.25, -0.25}}, triangle));
+  CHECK_FALSE(sweep(Moving<Point>{{0.25, -0.5, 0.125}, {0.25, 0, -0.25}}, triangle));
+}
+
+TEST_CASE("A ray that meets a triangle at the flattest of angles is there at the time that it tells") {
+  const Triangle triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const auto contact = sweep(Moving<Point>{{-1, 0.25, 0x1p-40}, {2, 0, -0x1.9p-40}}, triangle);
+  REQUIRE(contact);
+  CHECK(contact->feature == Feature::face);
+  CHECK(contact->time == Approx(0.64));
+  CHECK(contact->point().isApprox(Point(0.28, 0.25, 0), 1e-3));
+}

@@ -215,7 +215,9 @@ Window<Real> from_apart(const std::vector<Witness<Real>>& all, const Moving<Sphe
   return window;
 }
 
-/// Of one that overlaps, each touch counts of what is nearest to the centre in its surroundings.
+/// Of one that overlaps, each touch counts of what is nearest to the centre in its surroundings; it must be
+/// seen if it is so for any radius within the bound. What it gets free of may hide an edge from it until it
+/// is over the face beyond: then it is in that face without having come to it.
 template <class Real>
 Window<Real> from_overlap(const std::vector<Witness<Real>>& all, const Moving<Sphere>& moving) {
   Window<Real> window;
@@ -224,8 +226,10 @@ Window<Real> from_overlap(const std::vector<Witness<Real>>& all, const Moving<Sp
     const Answer deeper = one.overlaps ? going_deeper(one, moving) : Answer::yes;
     if (deeper == Answer::no) continue;
     const auto first = one.approach.first_time(r + one.bound), last = one.approach.first_time(r - one.bound);
-    if (first && nearest_around(one, all, *first) != Answer::no) keep(window.earliest, first);
-    if (last && deeper == Answer::yes && nearest_around(one, all, *last) == Answer::yes)
+    const Answer nearest = first ? nearest_around(one, all, *first) : Answer::no;
+    if (first && nearest != Answer::no) keep(window.earliest, first);
+    if (last && deeper == Answer::yes && (nearest == Answer::yes || *first == 0) &&
+        nearest_around(one, all, *last) == Answer::yes)
       keep(window.latest, last);
   }
   return window;
@@ -247,13 +251,14 @@ Tally tally_of(const Mesh& mesh, const Moving<Sphere>& moving, const std::option
   if (!contact || !earliest) return tally;
   const Real t = contact->time;
   tally.inexact = t < *earliest || (latest && t > *latest);
-  if (!latest || overlaps) return tally;
+  if (overlaps) return tally;
   Real least = std::numeric_limits<Real>::infinity();
   for (const Witness<Real>& one : all) {
     const Real error = abs(one.approach.distance(t) - r) / one.bound;
     if (error < least) least = error;
   }
   tally.worst = static_cast<double>(least);
+  tally.inexact |= least > 1;
   return tally;
 }
 
@@ -272,12 +277,16 @@ void Tally::add(const Tally& t) {
   worst = std::max(worst, t.worst);
 }
 
+/// 64 bits may acquit the answer for a sphere: their distances are right to 2^-60 L, and how a distance of r
+/// changes is then known as well. They may not for a point: near to 0 nothing is known of that.
 void add(Tally& tally, const Mesh& mesh, const Moving<Sphere>& moving,
          const std::optional<Contact>& contact) {
-  Tally one = tally_of<long double>(mesh, moving, contact);
-  if (!one.good()) {
+  const bool sphere = moving.shape.radius > 0;
+  Tally one;
+  if (sphere) one = tally_of<long double>(mesh, moving, contact);
+  if (!sphere || !one.good()) {
     one = tally_of<FiftyDigits>(mesh, moving, contact);
-    one.disputed = 1;
+    one.disputed = sphere;
   }
   one.casts = 1;
   tally.add(one);

@@ -18,9 +18,9 @@ struct Tally {
   std::uint64_t casts = 0, hits = 0;
   std::uint64_t overlaps = 0;  ///< casts that overlap the surface at the start
   std::uint64_t grazes = 0;    ///< to hit or not to hit is decided by less than the bound
-  std::uint64_t disputed = 0;  ///< 64 bits found fault, and 50 digits were asked
+  std::uint64_t disputed = 0;  ///< 64 bits found fault with a sphere, and 50 digits were asked
   std::uint64_t missed = 0, false_hits = 0;
-  std::uint64_t inexact = 0;  ///< the time is outside the bound
+  std::uint64_t inexact = 0;  ///< the time is outside the bound, or the distance at that time
   std::uint64_t unlike = 0;   ///< two ways to the same answer differ
   double worst = 0;           ///< how wrong the distance is at the time of contact, in bounds
 

@@ -1,5 +1,6 @@
 #include "verify/surfaces.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -123,6 +124,24 @@ Mesh book(Random& random) {
   return {std::move(points), std::move(faces)};
 }
 
+/// To a corner, a side or the inside of a triangle, nearly along a side as often as not.
+Moving<Sphere> flat_cast(const Triangle& t, Random& random) {
+  const double size = std::max((t.b - t.a).norm(), (t.c - t.a).norm()) + 1e-300;
+  const double r = random() % 2 ? 0 : size * log_uniform(random, 1e-14, 10);
+  const double length = size * (random() % 2 ? log_uniform(random, 1e-6, 30) : uniform(random, 0.1, 4));
+  const auto part = random() % 3;
+  const double u = part == 0 ? 0 : uniform(random, 0, 1), v = part == 2 ? uniform(random, 0, 1 - u) : 0;
+  const Point target = t.a + u * (t.b - t.a) + v * (t.c - t.a);
+
+  const Vector n = t.area_vector().stableNormalized(), side = (t.b - t.a).stableNormalized();
+  const Vector level = direction(random).cross(n).stableNormalized();
+  const bool along = random() % 2 && side.norm() > 0;
+  const Vector way = along ? Vector(side + log_uniform(random, 1e-15, 1) * level) : level;
+  const double slope = log_uniform(random, 1e-15, 1) * (random() % 2 ? 1 : -1);
+  const Vector d = (way - slope * n).stableNormalized(), out = slope > 0 ? n : Vector(-n);
+  return {Sphere{target + r * out - uniform(random, -0.1, 1) * length * d, r}, length * d};
+}
+
 }  // namespace
 
 const char* name(int kind) {
@@ -143,6 +162,14 @@ Mesh surface(int kind, Random& random) {
   return {std::move(mesh.points), std::move(mesh.faces)};
 }
 
+Mesh sliver(Random& random) {
+  const Vector x = direction(random), y = x.cross(direction(random)).normalized();
+  const double foot = random() % 2 ? uniform(random, -1, 2) : log_uniform(random, 1e-15, 1);
+  std::vector<Point> corners{Point::Zero(), x, foot * x + log_uniform(random, 1e-15, 1) * y};
+  std::shuffle(corners.begin(), corners.end(), random);
+  return {std::move(corners), {{0, 1, 2}}};
+}
+
 Mesh placed(const Mesh& mesh, Random& random) {
   const double size = std::pow(10.0, static_cast<double>(random() % 13) - 6);
   const double away = random() % 2 ? 0 : size * std::pow(10.0, static_cast<double>(random() % 4));
@@ -156,12 +183,13 @@ Mesh placed(const Mesh& mesh, Random& random) {
 }
 
 const char* aim_name(int aim) {
-  constexpr std::array names{"vertex", "edge", "seam", "graze", "anywhere", "overlap", "ray"};
+  constexpr std::array names{"vertex", "edge", "seam", "graze", "anywhere", "overlap", "ray", "flat"};
   return names[static_cast<std::size_t>(aim)];
 }
 
 Moving<Sphere> cast(const Mesh& mesh, int aim, Random& random) {
   const Triangle t = mesh.triangle(random() % mesh.size());
+  if (aim == flat) return flat_cast(t, random);
   const double size = std::max((t.b - t.a).norm(), (t.c - t.a).norm()) + 1e-300;
   const double wide = size * log_uniform(random, 1e-3, 10), r = aim == 6 ? 0 : wide,
                length = size * log_uniform(random, 1e-2, 30);

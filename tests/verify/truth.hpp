@@ -41,28 +41,49 @@ Vec<Real> exact(const first_contact::Vector& v) {
 }
 
 /// A triangle, which may be degenerate, and the vector from a point to the nearest point of it.
+///
+/// The face has axes at right angles, f and g, from the corner with the largest angle, g made so twice:
+/// however thin the triangle is, all is then right to the last digits of its longest side. With the products
+/// of two slanting sides half of the digits would be lost, and with them half of the slivers.
 template <class Real>
 class Triangle {
  public:
   explicit Triangle(const first_contact::Triangle& t)
-      : corners_{exact<Real>(t.a), exact<Real>(t.b), exact<Real>(t.c)} {}
+      : corners_{exact<Real>(t.a), exact<Real>(t.b), exact<Real>(t.c)} {
+    const auto square_opposite = [&](std::size_t i) {
+      const Vec<Real> side = corners_[(i + 2) % 3] - corners_[(i + 1) % 3];
+      return dot(side, side);
+    };
+    for (std::size_t i = 1; i < 3; ++i)
+      if (square_opposite(i) > square_opposite(origin_)) origin_ = i;
+    f_ = corners_[(origin_ + 1) % 3] - corners_[origin_];
+    g_ = corners_[(origin_ + 2) % 3] - corners_[origin_];
+    ff_ = dot(f_, f_);
+    if (!(ff_ > 0)) return;
+    for (int i = 0; i < 2; ++i) {
+      const Real along = dot(f_, g_) / ff_;
+      g_ = g_ - along * f_;
+      slant_ = slant_ + along;
+    }
+    gg_ = dot(g_, g_);
+  }
 
   Vec<Real> from(const Vec<Real>& p) const {
+    // Over the face: p - origin = x f + y g + something at right angles to both.
+    if (gg_ > 0) {
+      const Vec<Real> h = p - corners_[origin_];
+      const Real x = dot(h, f_) / ff_, y = dot(h, g_) / gg_, u = x - y * slant_;
+      if (u >= 0 && y >= 0 && u + y <= 1) return x * f_ + y * g_ - h;
+    }
     Vec<Real> best = to_side(p, 0);
     Real least = dot(best, best);
-    const auto offer = [&](const Vec<Real>& other) {
+    for (std::size_t i = 1; i < 3; ++i) {
+      const Vec<Real> other = to_side(p, i);
       const Real square = dot(other, other);
-      if (!(square < least)) return;
+      if (!(square < least)) continue;
       best = other;
       least = square;
-    };
-    offer(to_side(p, 1));
-    offer(to_side(p, 2));
-    // Over the face: p - a = u f + v g + something at right angles to both.
-    const Vec<Real> f = corners_[1] - corners_[0], g = corners_[2] - corners_[0], h = p - corners_[0];
-    const Real ff = dot(f, f), fg = dot(f, g), gg = dot(g, g), fh = dot(f, h), gh = dot(g, h);
-    const Real det = ff * gg - fg * fg, u = gg * fh - fg * gh, v = ff * gh - fg * fh;
-    if (det > 0 && u >= 0 && v >= 0 && u + v <= det) offer((u / det) * f + (v / det) * g - h);
+    }
     return best;
   }
 
@@ -75,6 +96,9 @@ class Triangle {
   }
 
   std::array<Vec<Real>, 3> corners_;
+  std::size_t origin_ = 0;
+  Vec<Real> f_, g_;
+  Real ff_, gg_ = 0, slant_ = 0;  // their squares; what g was made of besides itself, in terms of f
 };
 
 /// The distance of a moving point from a triangle.

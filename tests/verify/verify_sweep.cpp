@@ -71,10 +71,10 @@ int main(int argc, char** argv) {
   std::printf(
       "overlap: at the start, judged feature by feature.  grazes: a hit or none, within the bound.  "
       "disputed: 64 bits saw a\n"
-      "fault, so that 50 digits judged.  missed, false, inexact: beyond the bound.  unlike: the fast tree on "
-      "this machine's\n"
-      "instructions, on portable ones, in a batch, and the plain tree do not agree to the last bit.  worst: "
-      "by how much the\n"
-      "distance at the time of contact differs from r, in bounds.\n");
+      "fault, so that 50 digits judged, as they do all points.  missed, false, inexact: beyond the bound.  "
+      "unlike: the fast tree\n"
+      "on this machine's instructions, on portable ones, in a batch, and the plain tree do not agree to the "
+      "last bit.  worst:\n"
+      "by how much the distance at the time of contact differs from r, in bounds; more than 1 is inexact.\n");
   return all.good() ? 0 : 1;
 }

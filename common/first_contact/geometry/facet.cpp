@@ -29,8 +29,6 @@ CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   const Vector &in = at_a ? ca : at_b ? ab : bc, &out = at_a ? ab : at_b ? bc : ca;
   normal = in.cross(out);
   if (normal.squaredNorm() < thin * longest2 * (thin * longest2)) normal = accurate_cross<double>(in, out);
-  const double sides2 = in.squaredNorm() * out.squaredNorm();
-  steady = 4 * normal.squaredNorm() >= sides2 && sides2 > 0;
 }
 
 Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {

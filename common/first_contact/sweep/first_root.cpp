@@ -18,12 +18,11 @@ std::optional<Entry> first_root(const Vector& m, const Vector& v, double r, doub
   const double slack = a * tolerance * (2 * r + tolerance);
   double discriminant = a * r * r - moment.squaredNorm();
   if (!(discriminant >= -slack)) return std::nullopt;
-  discriminant = std::max(0.0, discriminant);
-  const double t = c / (-b + std::sqrt(discriminant));
+  const double t = discriminant < 0 ? -b / a : c / (-b + std::sqrt(discriminant));
   if (!(t <= 1)) return std::nullopt;
 
   // From the closest approach, go back along the path by half the chord.
-  const Vector arrival = v.cross(moment) / a - std::sqrt(discriminant) / a * v;
+  const Vector arrival = v.cross(moment) / a - std::sqrt(std::max(0.0, discriminant)) / a * v;
   return Entry{t, (r > 0 ? arrival : Vector(-v)).normalized()};
 }
 //! [first_root]

@@ -20,7 +20,7 @@ struct Entry {
 /// Gems, ch. 7).
 ///
 /// \param tolerance  a path that passes by at most this much too far away counts as a path that grazes the
-/// ball.
+/// ball, where it is closest.
 std::optional<Entry> first_root(const Vector& m, const Vector& v, double r, double tolerance);
 
 }  // namespace first_contact

@@ -1,10 +1,10 @@
 #include "first_contact/sweep/moved_out.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
-#include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/line_triangle.hpp"
 #include "first_contact/geometry/mesh_edges.hpp"
 #include "first_contact/sweep/first_root.hpp"
@@ -13,41 +13,72 @@ namespace first_contact {
 
 namespace {
 
-/// A path that halves its distance from the truth in every step has reached it, in double, after this many.
-constexpr int enough_steps = 64;
+/// What part of the tolerance of 16 eps L may rounding take from, or add to, the height over a face? The
+/// normal turns by less than 3.4 eps, its product with the way to a corner is wrong by 2 eps, and all that of
+/// a triangle whose sides were rounded, which is less than 1 eps away: 7 eps L at most.
+constexpr double rounding_of_height = 7.0 / 16;
 
-/// A path at a smaller angle to a plane, in radians, crosses it at no certain time.
-constexpr double flat = 0x1p-30;
+/// From the distance to the line of a side, within the plane: a difference and two products, 4 eps L at most.
+/// Height and side, each wrong once where it is asked and once where it is true, are at right angles to each
+/// other; together they are within the tolerance.
+constexpr double rounding_of_side = 4.0 / 16;
 
-/// The normal of a long, thin triangle is turned by rounding; for a sphere that comes in at a flat angle the
-/// time is then wrong although the hit is not. The distance itself knows no normal, and falls along the path
-/// ever more slowly: Newton's steps lead to r from any time, and never beyond it from an earlier one.
-///
-/// None is needed if the normal is steady, wrong by 5 eps: then the height and its change along the path are
-/// wrong by 7 eps (|m| + |V|), and r |n| by 2 eps r, which is less than half of the tolerance. A point may
-/// still come in beside the triangle, within its plane.
-std::optional<double> settled(double t, const Moving<Sphere>& moving, const Facet& facet, double tolerance) {
-  const auto& [center, radius] = moving.shape;
-  if (facet.steady && radius > 0) return t;
-  const Triangle& triangle = facet.triangle;
-  const Vector a = triangle.a - center, b = triangle.b - center, c = triangle.c - center;
-  for (int i = 0; i < enough_steps; ++i) {
-    const Vector path = t * moving.displacement;
-    const Vector offset = path - closest_point(path, a, b, c);
-    const double gap = offset.norm() - radius;
-    if (std::abs(gap) <= tolerance) return t;
-    t -= gap * offset.norm() / offset.dot(moving.displacement);
-    if (!(t >= 0 && t <= 1)) return std::nullopt;
+/// From the distance to an edge or a vertex: 8 eps L at most. A path that passes them by so much beyond r is
+/// taken for one that grazes: so none that does is missed, and none is invented beyond the tolerance.
+constexpr double rounding_of_graze = 8.0 / 16;
+
+/// Below this sine of its angle to a triangle's plane the path of a point counts as one within the plane,
+/// which is the affair of the edges. Since rounding turns the normal so little, the true sine is then below
+/// 20 eps, and the path cannot lead from 16 eps L before the plane to 16 eps L behind it: no point gets
+/// through.
+/// \see tests/oracle/verify_test.cpp
+constexpr double within_plane = rounding_of_distance;
+
+/// Does the path of a point, or a line through it, meet the face? The point is `low` below the centre.
+bool meets(const Facet& facet, const Point& center, const Vector& low, const Vector& direction) {
+  const auto& [a, b, c] = facet.triangle;
+  return weights_where_line_meets(direction, a - center + low, b - center + low, c - center + low)
+      .has_value();
+}
+
+/// Is the path so flat that the place where it meets the plane is not certain enough? The height over the
+/// plane moves that place by x = height / sine. A sphere is then farther from the face's border than from its
+/// plane by up to x^2 / 2r, a point by x: both are well within the tolerance unless the path is flat.
+bool is_flat(double approach, double straight, double radius, double tolerance) {
+  return approach * approach * (radius + 2 * tolerance) < straight * straight * tolerance;
+}
+
+//! [landing]
+/// When does the lowest point, `low` below the centre, arrive on the face by a flat path? When it meets the
+/// plane is as uncertain as the height, and it may be far beyond the border then. So the time is cut to that
+/// between the sides (Cyrus and Beck), and between the ends of the longest, since two sides may meet there at
+/// any angle; all are moved out by their rounding. Then the height decides.
+std::optional<double> landing(const Moving<Sphere>& moving, const Vector& low, const Facet& facet, double gap,
+                              double approach, double tolerance) {
+  const std::array<Point, 3> corners{facet.triangle.a, facet.triangle.b, facet.triangle.c};
+  double enter = 0, leave = 1;
+  const auto cut = [&](const Point& border, const Vector& inward) {
+    const Vector from = moving.shape.center - border - low;
+    const double inside = inward.dot(from) + rounding_of_side * tolerance * inward.norm();
+    const double rate = inward.dot(moving.displacement);
+    if (rate > 0) enter = std::max(enter, -inside / rate);
+    if (rate < 0) leave = std::min(leave, inside / -rate);
+    if (rate == 0 && inside < 0) leave = -1;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point &from = corners[i], &to = corners[(i + 1) % 3];
+    cut(from, facet.normal.cross(to - from));
+    if (corners[(i + 2) % 3] != facet.corner) continue;  // not the longest
+    cut(from, to - from);
+    cut(to, from - to);
   }
-  return std::nullopt;
+  if (!(enter <= leave)) return std::nullopt;
+  const double t = std::clamp(-gap / approach, enter, leave);
+  const double height = gap + t * approach;
+  if (std::abs(height) > rounding_of_height * tolerance * facet.length) return std::nullopt;
+  return t;
 }
-
-/// How far the centre is, at the start, from a face that it is straight above: by the distance itself, again,
-/// if the normal is not steady.
-double height_over(const Facet& facet, const Point& center, double height) {
-  if (facet.steady) return std::abs(height) / facet.length;
-  return (center - closest_point(center, facet.triangle)).norm();
-}
+//! [landing]
 
 }  // namespace
 
@@ -63,23 +94,22 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   const double approach = side * toward;                        // |n| N.V
   if (!(approach < 0) || !(gap <= -approach)) return std::nullopt;
 
-  // Move the sphere's lowest point instead of the face. If they overlap, look straight down on the face.
-  const Vector normal = side * facet.unit_normal();
-  const Vector low = gap > 0 ? Vector(radius * normal) : Vector(Vector::Zero());
-  const Vector along = gap > 0 ? moving.displacement : facet.normal;
-  const auto& [a, b, c] = facet.triangle;
-  if (!surely_within &&
-      !weights_where_line_meets(along, a - center + low, b - center + low, c - center + low))
-    return std::nullopt;
-
   const double tolerance =
       rounding_of_distance * (m.norm() + facet.longest + moving.displacement.norm() + radius);
-  auto t = gap > 0 ? settled(-gap / approach, moving, facet, tolerance) : 0.0;
-  // A point goes through: its distance is least where it is 0, and at a thin triangle Newton's steps may leap
-  // to and fro. There the plane's own time will do, but not that of a path within the plane.
-  if (!t && radius == 0 && -approach > flat * facet.length * moving.displacement.norm()) t = -gap / approach;
+  const double straight = facet.length * moving.displacement.norm();  // -approach at a right angle
+  const bool apart = gap > 0, flat = apart && is_flat(approach, straight, radius, tolerance);
+  if (flat && radius == 0 && -approach <= within_plane * straight) return std::nullopt;
+
+  // Move the sphere's lowest point instead of the face. If they overlap, look straight down on the face.
+  const Vector normal = side * facet.unit_normal();
+  const Vector low = apart ? Vector(radius * normal) : Vector(Vector::Zero());
+  const Vector along = apart ? moving.displacement : facet.normal;
+  if (!flat && !surely_within && !meets(facet, center, low, along)) return std::nullopt;
+  std::optional<double> t = apart ? -gap / approach : 0;
+  if (flat) t = landing(moving, low, facet, gap, approach, tolerance);
   if (!t) return std::nullopt;
-  const double distance = std::min(radius, height_over(facet, center, height));
+
+  const double distance = std::min(radius, std::abs(height) / facet.length);
   return Touch{
       *t, distance, normal, center + *t * moving.displacement - distance * normal, Feature::face, tolerance};
 }
@@ -93,8 +123,8 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
   const double tolerance = rounding_of_distance * (m.norm() + length + moving.displacement.norm() + radius);
 
   // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
-  const auto entry =
-      first_root(e.cross(m), e.cross(moving.displacement), length * radius, length * tolerance);
+  const auto entry = first_root(e.cross(m), e.cross(moving.displacement), length * radius,
+                                length * rounding_of_graze * tolerance);
   if (!entry) return std::nullopt;
   const Vector arrival = m + entry->time * moving.displacement;
   const double along = arrival.dot(e);
@@ -113,7 +143,7 @@ std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& ver
   const auto& [center, radius] = moving.shape;
   const Vector m = center - vertex;
   const double tolerance = rounding_of_distance * (m.norm() + moving.displacement.norm() + radius);
-  const auto entry = first_root(m, moving.displacement, radius, tolerance);
+  const auto entry = first_root(m, moving.displacement, radius, rounding_of_graze * tolerance);
   if (!entry) return std::nullopt;
   const double distance = entry->time > 0 ? radius : std::min(radius, m.norm());
   return Touch{entry->time, distance, entry->direction, vertex, Feature::vertex, tolerance};

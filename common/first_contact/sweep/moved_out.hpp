@@ -28,8 +28,9 @@ struct Touch {
 /// By how much a computed distance between a moving sphere and a feature may be wrong, in units of eps
 /// (distance of the centre from the feature's corner + length of the feature + path + r). The distance to an
 /// edge is the worst: a difference, a cross product, the closest approach and the root add up to less than 8
-/// eps of that; this is twice as much.
-/// \see tests/oracle/sphere_triangle_oracle_test.cpp
+/// eps of that. This is twice as much: what is wrong by 8 eps must be taken for a touch, and may in truth be
+/// wrong by 8 eps more.
+/// \see tests/oracle/sphere_triangle_oracle_test.cpp, tests/oracle/verify_test.cpp
 inline constexpr double rounding_of_distance = 16 * std::numeric_limits<double>::epsilon();
 
 /// The centre meets the face moved out by r, on the side where it starts: t = -(E'.S0) / (N.V), if it arrives

@@ -12,8 +12,10 @@ namespace first_contact {
 /// cylinders and spheres are the edges and the vertices themselves, for the rays that run within the
 /// triangle's plane.
 ///
-/// Error: t is exact for a path that is moved by at most 16 eps L, L being the distance of the point from the
-/// corners + the longest side + |V|.
+/// Error: let L be the distance of the point from the corners + the longest side + |V|. At the time of
+/// contact the point is within 16 eps L of the triangle, be the angle as flat and the triangle as thin as may
+/// be; and a path that passes inside all sides, from before the plane to behind it, all by more than that, is
+/// never missed. The time itself is wrong by at most 16 eps L / |N.V|.
 std::optional<Contact> sweep(const Moving<Point>& moving, const Triangle& triangle);
 
 }  // namespace first_contact

@@ -9,7 +9,8 @@
 namespace first_contact {
 
 bool overlap(const Sphere& sphere, const Triangle& triangle) {
-  return (sphere.center - closest_point(sphere.center, triangle)).squaredNorm() <=
+  const Point& s = sphere.center;  // differences first: they round less, far from the origin
+  return closest_point(Point::Zero(), triangle.a - s, triangle.b - s, triangle.c - s).squaredNorm() <=
          sphere.radius * sphere.radius;
 }
 
