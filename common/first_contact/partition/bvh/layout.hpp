@@ -38,9 +38,9 @@ inline constexpr std::uint32_t leaf_unit = 32;
 
 /// A node: up to eight children, each with its box and a slab.
 ///
-/// Child j's box goes along axis i from origin + step * side[i][j] to origin + step * side[3 + i][j], rounded
-/// outward; step is a power of two. Its slab holds all its points x: slab[0][j] <= slab step * n.(x - origin) + offset <=
-/// slab[1][j] (\see pack.cpp).
+/// Child j's box goes along axis i from origin + step * side[i][j] to origin + step * side[3 + i][j],
+/// rounded outward; step is a power of two. Its slab holds all its points x: slab[0][j] <= slab step *
+/// n.(x - origin) + offset <= slab[1][j] (\see pack.cpp).
 struct alignas(64) Node {
   float origin[4], step[4];       ///< along the three axes; and 0
   std::uint32_t first_node : 28;  ///< its inner children are numbered from here on
@@ -64,7 +64,7 @@ struct LeafHead {
       exponent;  ///< its unit of length is 2^exponent; no coordinate of a vertex is larger than one unit
   std::uint32_t corner[3];  ///< corner a, b, c of triangle j: vertex number (corner >> 4 j) & 15
   float origin[3];
-  std::uint8_t cone[width];  ///< of each triangle, as of a node's child
+  std::uint8_t cone[width];  ///< the cosine of each triangle's cone, in 255ths, or 0: \see cones.hpp
 };
 static_assert(sizeof(LeafHead) == 40);
 

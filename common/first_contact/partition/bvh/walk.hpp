@@ -32,14 +32,16 @@ struct Walk {
 
   // The walk's own; along the three axes, and a fourth that does not matter.
   float from[4], across[4];       // start and travel, rounded
-  float way[4], turned[4];        // |across|, and 1 or -1 for its direction
-  float inverse[4], grown[4];     // 1 / way, and the radius, with its error, in the time that it takes
+  float turned[4];                // 1 or -1 for the direction of the path
+  float inverse[4], grown[4];     // 1 / |across|, and the radius, with its error, in the time that it takes
   int near_side[3], far_side[3];  // by which the path enters and leaves a box: \see Node
-  float reach, bare;  // radius + error, and without; the latter 0 for a radius too large for cones
-  float slab_slack;   // error for slabs; less than 0: slabs are not worth their time
-  float length;       // of the travel, rounded up
-  float aside;        // what is ahead by less than this, times the length, may be behind
-  int waiting;        // entries on the stack
+  float reach;                    // radius + error
+  float bare;                     // radius, less all errors; cones are asked if it is more than 0
+  float unsure;                   // at this distance, and nearer, cones know nothing
+  bool brief;                     // is what is overlapped at the start touched only there? \see never_over
+  float slab_slack;               // error for slabs; less than 0: slabs are not worth their time
+  float length;                   // of the travel, rounded up
+  int waiting;                    // entries on the stack
   struct Entry {
     Ref ref;
     float time;
