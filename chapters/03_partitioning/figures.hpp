@@ -15,5 +15,7 @@ void draw_grown_planes(const first_contact::figure::Studio& studio);
 void draw_hit_tests(const first_contact::figure::Studio& studio);
 /// A plane that keeps a ball and a triangle apart, and when the ball comes to it.
 void draw_support(const first_contact::figure::Studio& studio);
+/// A ball sunk in a hill: over which parts of it is its centre?
+void draw_cones(const first_contact::figure::Studio& studio);
 /// Depth, work to build, and tests against the number of objects, as measured.
 void draw_costs(const first_contact::program::Program& program, std::uint64_t seed);

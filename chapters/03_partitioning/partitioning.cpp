@@ -239,6 +239,7 @@ void draw_figures(const Program& program, std::uint64_t seed) {
   draw_hit_tests(program.studio());
   draw_costs(program, seed);
   draw_support(program.studio());
+  draw_cones(program.studio());
 }
 
 //! [scene]
