@@ -13,8 +13,8 @@ namespace first_contact::bvh {
 ///
 /// The idea: the addresses of a large tree in pages of 4 KiB do not fit in the table that the processor keeps
 /// of them, so that a cast pays for looking them up as well. It equals std::allocator.
-/// Measured (./course bench --own --sides 707, with this advice and without): .22 and .30 of the textbook
-/// for a hop.
+/// Measured (./course bench --own --sides 707, with this advice and without), of the textbook for a hop: .22
+/// and .30 on one day, .22 and .21 on another. A virtual machine has large pages only if its host gives them.
 template <class Value>
 struct LargePages {
   using value_type = Value;
