@@ -13,6 +13,7 @@
 #include "first_contact/geometry/environment.hpp"
 #include "first_contact/partition/bvh/parts.hpp"
 #include "first_contact/partition/plain_bvh.hpp"
+#include "first_contact/program/terrain.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 
 using namespace first_contact;
@@ -47,13 +48,7 @@ Mesh troublesome(Random& random, double size, const Vector& offset) {
         const double height = kind == 6 ? 0 : static_cast<double>(random() % 3) / 4;
         points.push_back(size * Point(2.0 * i / n - 1, 2.0 * j / n - 1, height) + offset);
       }
-    for (std::uint32_t j = 0; j < n; ++j)
-      for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t a = j * (n + 1) + i, c = a + n + 1;
-        faces.push_back({a, a + 1, c + 1});
-        faces.push_back({a, c + 1, c});
-      }
-    return {points, faces};
+    return {points, program::grid_faces(n)};
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Point a = vector(random, 1), b = a + vector(random, 0.3), c = a + vector(random, 0.3);
