@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <random>
 
 #include "first_contact/geometry/space.hpp"
@@ -6,18 +8,26 @@
 /// Random numbers of a seed, for tests.
 class Chance {
  public:
-  explicit Chance(unsigned seed) : random_(seed) {}
+  explicit Chance(std::uint64_t seed) : engine_(seed) {}
 
   double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
+    return std::uniform_real_distribution<double>(low, high)(engine_);
   }
+  /// One of n: 0, 1, ..., n - 1.
+  std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
   /// Anywhere in the cube from -size to size.
   first_contact::Vector vector(double size) {
     const double x = uniform(-size, size), y = uniform(-size, size), z = uniform(-size, size);
     return {x, y, z};
   }
-  std::mt19937& source() { return random_; }
+  /// Of length 1, any way.
+  first_contact::Vector direction() {
+    std::normal_distribution<double> normal;
+    const double x = normal(engine_), y = normal(engine_), z = normal(engine_);
+    return first_contact::Vector(x, y, z).normalized();
+  }
+  std::mt19937_64& source() { return engine_; }
 
  private:
-  std::mt19937 random_;
+  std::mt19937_64 engine_;
 };
