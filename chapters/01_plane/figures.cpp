@@ -124,7 +124,9 @@ Drawable drawable(const Plane& plane, const Moving<Sphere>& ball, std::optional<
 
 // The sweep of this run: start, contact or end, and the plane that the centre meets.
 void draw_sweep(const Studio& studio, const Drawable& drawn) {
-  const auto& [plane, ball, contact] = drawn;
+  const Plane& plane = drawn.plane;
+  const Moving<Sphere>& ball = drawn.ball;
+  const auto& contact = drawn.contact;
   const auto& [s0, r] = ball.shape;
   const View view{70, 24};
   const Vector n = std::copysign(1.0, plane.signed_distance(s0)) * plane.normal();

@@ -42,7 +42,7 @@ std::vector<Point> part_of(const std::vector<Point>& region, const Plane& plane,
     const Point &p = region[i], &q = region[(i + 1) % region.size()];
     const double at_p = side * plane.signed_distance(p), at_q = side * plane.signed_distance(q);
     if (at_p >= 0) part.push_back(p);
-    if ((at_p > 0) != (at_q > 0)) part.push_back(p + at_p / (at_p - at_q) * (q - p));
+    if ((at_p > 0) != (at_q > 0)) part.emplace_back(p + at_p / (at_p - at_q) * (q - p));
   }
   return part;
 }
@@ -53,7 +53,7 @@ std::vector<Point> cut_through(const std::vector<Point>& region, const Plane& pl
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Point &p = region[i], &q = region[(i + 1) % region.size()];
     const double at_p = plane.signed_distance(p), at_q = plane.signed_distance(q);
-    if ((at_p > 0) != (at_q > 0)) ends.push_back(p + at_p / (at_p - at_q) * (q - p));
+    if ((at_p > 0) != (at_q > 0)) ends.emplace_back(p + at_p / (at_p - at_q) * (q - p));
   }
   return ends;
 }
@@ -73,7 +73,7 @@ std::vector<Point> ring(const Point& center, double radius) {
   std::vector<Point> points;
   for (int i = 0; i <= 48; ++i) {
     const double angle = i * std::acos(-1.0) / 24;
-    points.push_back(center + radius * Vector(std::cos(angle), std::sin(angle), 0));
+    points.emplace_back(center + radius * Vector(std::cos(angle), std::sin(angle), 0));
   }
   return points;
 }

@@ -105,16 +105,14 @@ void draw_costs(const program::Program& program, std::uint64_t seed) {
   both.resize(both.size() + 2);  // two blank lines
   for (const auto& row : rows(Spread::clustered, seed)) both.push_back(row);
   figure.data("both", both, 5);
-  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
-  figure.script() << "steps = \"" << say("depth of an object", "物品的深度") << "\"\n"
-                  << "building = \"" << say("building: looks at an object", "建樹：每個物品被檢視的次數")
-                  << "\"\n"
-                  << "tests = \"" << say("tests on a flight", "每次飛行的測試數") << "\"\n"
-                  << "objects = \"" << say("objects {/:Italic k}", "物品數 {/:Italic k}") << "\"\n"
-                  << "evenly = \"" << say("evenly spread", "均勻分布") << "\"\n"
-                  << "crowded = \"" << say("clustered", "聚集") << "\"\n"
-                  << "none = \"" << say("no structure", "不分割") << "\"\n"
-                  << "in_octree = \"" << say("octree", "八元樹") << "\"\n"
-                  << costs_script;
+  program.label(figure, "steps", {"depth of an object", "物品的深度"});
+  program.label(figure, "building", {"building: looks at an object", "建樹：每個物品被檢視的次數"});
+  program.label(figure, "tests", {"tests on a flight", "每次飛行的測試數"});
+  program.label(figure, "objects", {"objects {/:Italic k}", "物品數 {/:Italic k}"});
+  program.label(figure, "evenly", {"evenly spread", "均勻分布"});
+  program.label(figure, "crowded", {"clustered", "聚集"});
+  program.label(figure, "none", {"no structure", "不分割"});
+  program.label(figure, "in_octree", {"octree", "八元樹"});
+  figure.script() << costs_script;
   figure.draw();
 }

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<Point> on_page(const std::vector<Point2>& outline, const Vector& shift) {
   std::vector<Point> points;
-  for (const Point2& p : outline) points.push_back(shift + Vector(p.x(), p.y(), 0));
+  for (const Point2& p : outline) points.emplace_back(shift + Vector(p.x(), p.y(), 0));
   return points;
 }
 
@@ -23,7 +23,7 @@ void add_shape(figure::Scene& scene, const StageObject& object, const Vector& sh
 }
 
 void add_box(figure::Scene& scene, const Rectangle& box, const Vector& shift, bool hit) {
-  const Point2 low = box.min(), high = box.max();
+  const Point2 &low = box.min(), &high = box.max();
   scene.polygon(on_page({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, shift),
                 {hit ? colour::amber : colour::mist, hit ? 0.3 : 1, false,
                  hit ? Pen{colour::orange, 1.4, true} : Pen{colour::grey, 1.2, true}},

@@ -22,7 +22,7 @@ std::vector<Point> arc(const Point& center, double radius, double from, double t
   std::vector<Point> points;
   for (int i = 0; i <= 48; ++i) {
     const double angle = from + (to - from) * i / 48;
-    points.push_back(center + radius * Vector(std::cos(angle), 0, std::sin(angle)));
+    points.emplace_back(center + radius * Vector(std::cos(angle), 0, std::sin(angle)));
   }
   return points;
 }
@@ -98,7 +98,7 @@ void draw_grown_planes(const Studio& studio) {
   const double straight = (depth + r * std::sin(half)) / std::cos(half);
   std::vector<Point> surface{edge + r * out_right + straight * right};
   for (const Point& p : arc(edge, r, half, pi - half)) surface.push_back(p);
-  surface.push_back(edge + r * out_left + straight * left);
+  surface.emplace_back(edge + r * out_left + straight * left);
   scene.line(surface, {colour::green, 2.6}, 4);
   const Moving<Sphere> falling{{{0, 0, 16}, r}, {0, 0, -16}};
   const double early = 16 - 16 * *time_at_grown_planes(falling, wedge);

@@ -16,7 +16,7 @@ void add_disc(figure::Scene& scene, const Point& center, double radius, double o
   std::vector<Point> rim;
   for (int i = 0; i <= 72; ++i) {
     const double angle = 2 * std::numbers::pi * i / 72;
-    rim.push_back(center + radius * Vector(std::cos(angle), 0, std::sin(angle)));
+    rim.emplace_back(center + radius * Vector(std::cos(angle), 0, std::sin(angle)));
   }
   scene.polygon(rim, {colour::amber, opacity, false, Pen{colour::orange, 1.2}}, 3);
 }

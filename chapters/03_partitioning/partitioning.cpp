@@ -270,8 +270,9 @@ int main(int argc, char** argv) {
   Scene scene;
   program.option("--objects", scene.objects, "n", "number of triangles in the room", at_most_a_million);
   program.option("--seed", scene.seed, "k", "of the random numbers");
-  program.option("--mesh", scene.mesh, "FILE",
-                 "search the triangles of this mesh instead (OBJ, OFF, PLY, STL)");
+  program.option(
+      "--mesh", scene.mesh, "FILE",
+      "search the triangles of this mesh instead (OBJ, OFF, PLY, STL); progress is shown if it is large");
   return program.run(argc, argv, [&] {
     if (program.given("--mesh") && program.given("--objects"))
       throw Refused("--objects " + std::to_string(scene.objects) + ": must not be given with --mesh");

@@ -1,10 +1,10 @@
 #include "accuracy.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "first_contact/program/random.hpp"
 #include "first_contact/sweep/contact_times.hpp"
@@ -12,13 +12,12 @@
 #include "twofold.hpp"
 
 using namespace first_contact;
-using program::uniform, program::unit_vector;
+using program::Accuracy, program::uniform, program::unit_vector;
 
 namespace general_sphere_chapter {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr int shots = 2000;
 
 // 10^(n/4), without std::pow, whose last bit is not the same everywhere.
@@ -93,11 +92,9 @@ Accuracy accuracy_from(EdgeFormula formula, double distance, std::mt19937& rando
     const auto truth = true_time(flight);
     if (!truth) continue;
     const auto time = formula == EdgeFormula::textbook ? textbook_time(flight) : stable_time(flight);
-    errors.push_back(time ? std::abs(static_cast<double>(*time) - *truth) / *truth : infinite);
+    errors.push_back(time ? std::abs(static_cast<double>(*time) - *truth) / *truth : program::lost_shot);
   }
-  std::sort(errors.begin(), errors.end());
-  const auto lost = static_cast<double>(std::count(errors.begin(), errors.end(), infinite));
-  return {distance, errors[errors.size() / 2], lost / static_cast<double>(errors.size())};
+  return program::accuracy(distance, std::move(errors));
 }
 
 // A ray at a triangle, and whether it was aimed into it.

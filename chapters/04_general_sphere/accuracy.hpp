@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "first_contact/program/accuracy.hpp"
 #include "first_contact/program/program.hpp"
 
 /// How far the answers can be trusted: measured, in single and in double precision.
@@ -10,19 +11,12 @@ namespace general_sphere_chapter {
 /// How the cylinder about an edge is met: as books have it, or by way of the closest approach.
 enum class EdgeFormula { textbook, stable };
 
-/// Many flights at an edge from one distance.
-struct Accuracy {
-  double distance;  ///< at the start, in radii
-  double error;     ///< the median of the relative errors of t; infinite if most hits are lost
-  double lost;      ///< the share of the hits that were not found
-};
-
 /// A ball is flung at the middle of an edge, two radii long, from 10^(1/2), 10, 10^(3/2) ... radii away, up
 /// to 10^10 or as far as the precision can tell neighbouring places apart. It is aimed up to 0.9 r beside the
-/// edge: all should hit. The truth for each is computed on the same numbers with twice the digits of a
-/// double.
+/// edge: all should hit. The errors are those of t, relative to it. The truth for each is computed on the
+/// same numbers with twice the digits of a double.
 template <class Scalar>
-std::vector<Accuracy> accuracy_at_an_edge(EdgeFormula formula);
+std::vector<first_contact::program::Accuracy> accuracy_at_an_edge(EdgeFormula formula);
 
 /// How a ray and a triangle are tested.
 enum class RayTest {

@@ -12,9 +12,9 @@ namespace general_sphere_chapter {
 namespace {
 
 // Decades of distance and of error; an error of 0 would have no logarithm.
-Table rows(const std::vector<Accuracy>& measured) {
+Table rows(const std::vector<program::Accuracy>& measured) {
   Table table;
-  for (const Accuracy& each : measured)
+  for (const program::Accuracy& each : measured)
     if (std::isfinite(each.error))
       table.push_back({std::log10(each.distance), std::log10(std::max(each.error, 1e-17))});
   return table;
@@ -82,21 +82,20 @@ void draw_accuracy(const program::Program& program) {
   figure.data("areas_single", rows(wrong_answers<float>(RayTest::areas)), 4);
   figure.data("areas_double", rows(wrong_answers<double>(RayTest::areas)), 4);
   figure.data("weights", rows(wrong_answers<double>(RayTest::weights)), 4);
-  const auto name = [&](const char* variable, const program::Text& text) {
-    figure.script() << variable << " = \"" << program.say(text) << "\"\n";
-  };
-  name("error", {"relative error of {/:Italic t}, at an edge", "{/:Italic t} 的相對誤差（稜）"});
-  name("distance", {"distance at the start, in {/:Italic r}", "出發時的距離（以 {/:Italic r} 計）"});
-  name("book_s", {"textbook, single", "教科書公式，單精度"});
-  name("book_d", {"textbook, double", "教科書公式，雙精度"});
-  name("stable_s", {"stable, single", "穩定形式，單精度"});
-  name("stable_d", {"stable, double", "穩定形式，雙精度"});
-  name("wrong", {"wrong answers, %", "錯誤的答案（%）"});
-  name("size", {"size of the scene", "場景的大小"});
-  name("determinant", {"determinant, 10^{−5}", "行列式，10^{−5}"});
-  name("areas_s", {"areas, 10^{−5}, single", "面積，10^{−5}，單精度"});
-  name("areas_d", {"areas, double", "面積，雙精度"});
-  name("none", {"no tolerance", "無容許值"});
+  program.label(figure, "error",
+                {"relative error of {/:Italic t}, at an edge", "{/:Italic t} 的相對誤差（稜）"});
+  program.label(figure, "distance",
+                {"distance at the start, in {/:Italic r}", "出發時的距離（以 {/:Italic r} 計）"});
+  program.label(figure, "book_s", {"textbook, single", "教科書公式，單精度"});
+  program.label(figure, "book_d", {"textbook, double", "教科書公式，雙精度"});
+  program.label(figure, "stable_s", {"stable, single", "穩定形式，單精度"});
+  program.label(figure, "stable_d", {"stable, double", "穩定形式，雙精度"});
+  program.label(figure, "wrong", {"wrong answers, %", "錯誤的答案（%）"});
+  program.label(figure, "size", {"size of the scene", "場景的大小"});
+  program.label(figure, "determinant", {"determinant, 10^{−5}", "行列式，10^{−5}"});
+  program.label(figure, "areas_s", {"areas, 10^{−5}, single", "面積，10^{−5}，單精度"});
+  program.label(figure, "areas_d", {"areas, double", "面積，雙精度"});
+  program.label(figure, "none", {"no tolerance", "無容許值"});
   figure.script() << accuracy_script;
   figure.draw();
 }
@@ -104,9 +103,9 @@ void draw_accuracy(const program::Program& program) {
 // What the notes speak of.
 void note_accuracy(program::Program& program) {
   const auto note = [&](const std::string& precision, const std::string& formula,
-                        const std::vector<Accuracy>& measured) {
+                        const std::vector<program::Accuracy>& measured) {
     for (std::size_t decade = 1; 2 * decade <= measured.size(); ++decade) {
-      const Accuracy& each = measured[2 * decade - 1];
+      const program::Accuracy& each = measured[2 * decade - 1];
       const std::string where = "accuracy." + precision + "_1e" + std::to_string(decade) + "_" + formula;
       if (std::isfinite(each.error)) program.value(where, each.error);
       program.value(where + "_lost", each.lost);

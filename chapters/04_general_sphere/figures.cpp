@@ -30,7 +30,7 @@ std::vector<Point> arc(const Point& center, double radius, double from = 0, doub
   std::vector<Point> points;
   for (int i = 0; i <= 60; ++i) {
     const double angle = (from + (to - from) * i / 60) * pi / 180;
-    points.push_back(center + radius * at(std::cos(angle), std::sin(angle)));
+    points.emplace_back(center + radius * at(std::cos(angle), std::sin(angle)));
   }
   return points;
 }

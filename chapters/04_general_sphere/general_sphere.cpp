@@ -203,7 +203,8 @@ int main(int argc, char** argv) {
   Program program("general_sphere", "04_general_sphere",
                   "A moving sphere meets an arbitrary environment (paper, 2.1).");
   Scene scene;
-  program.option("--mesh", scene.mesh, "FILE", "the environment: an OBJ, OFF, PLY or STL file");
+  program.option("--mesh", scene.mesh, "FILE",
+                 "the environment: an OBJ, OFF, PLY or STL file; progress is shown if it is large");
   program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
   program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);

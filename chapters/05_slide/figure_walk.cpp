@@ -1,5 +1,6 @@
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
+#include "first_contact/program/terrain.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;
@@ -11,17 +12,10 @@ namespace {
 Mesh thinned(const Mesh& terrain, std::uint32_t n, std::uint32_t cells) {
   const auto nth = [&](std::uint32_t i) { return (2 * i * n + cells) / (2 * cells); };  // rounded
   std::vector<Point> vertices;
-  std::vector<Mesh::Face> faces;
   for (std::uint32_t j = 0; j <= cells; ++j)
     for (std::uint32_t i = 0; i <= cells; ++i)
       vertices.push_back(terrain.vertices()[nth(j) * (n + 1) + nth(i)]);
-  for (std::uint32_t j = 0; j < cells; ++j)
-    for (std::uint32_t i = 0; i < cells; ++i) {
-      const std::uint32_t a = j * (cells + 1) + i, b = a + 1, c = a + cells + 1, d = c + 1;
-      faces.push_back({a, b, d});
-      faces.push_back({a, d, c});
-    }
-  return {std::move(vertices), std::move(faces)};
+  return {std::move(vertices), program::grid_faces(cells)};
 }
 
 // A walk in lines, cut where the ball was set down again; of frames that lie close together one is enough.

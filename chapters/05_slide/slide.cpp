@@ -202,7 +202,9 @@ int main(int argc, char** argv) {
   Program program("slide", "05_slide", "A sphere slides along what it meets (paper, 2.2).");
   Scene scene;
   long frames = 10000;
-  program.option("--mesh", scene.mesh, "FILE", "the surface: .obj, .off, .ply or .stl; a level wall if none");
+  program.option(
+      "--mesh", scene.mesh, "FILE",
+      "the surface: .obj, .off, .ply or .stl; a level wall if none; progress is shown if it is large");
   program.option("--from", scene.from, "x,y,z", "P1, centre of the sphere at the start");
   program.option("--to", scene.to, "x,y,z", "P2, where it is sent");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);

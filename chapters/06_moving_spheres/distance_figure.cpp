@@ -61,11 +61,11 @@ void draw_distance(const program::Program& program, const Moving<Sphere>& p, con
   std::ostream& out = figure.script();
   out << "reach = " << reach << "\nt1 = " << times->begin << "\nt2 = " << times->end
       << "\nearliest = " << middle - half << "\nlatest = " << middle + half
-      << "\nset xrange [earliest:latest]\nset yrange [0:" << 5 * reach << "]\n"
-      << "name = \"" << program.say({"distance of the centres", "球心距離"}) << "\"\n"
-      << "miss = \"" << program.say({"passing by: no root", "錯身而過：無實根"}) << "\"\n"
-      << "approach = \"" << program.say({"nearer and nearer", "愈靠愈近"}) << "\"\n"
-      << "leave = \"" << program.say({"apart again", "愈離愈遠"}) << "\"\n"
-      << distance_script;
+      << "\nset xrange [earliest:latest]\nset yrange [0:" << 5 * reach << "]\n";
+  program.label(figure, "name", {"distance of the centres", "球心距離"});
+  program.label(figure, "miss", {"passing by: no root", "錯身而過：無實根"});
+  program.label(figure, "approach", {"nearer and nearer", "愈靠愈近"});
+  program.label(figure, "leave", {"apart again", "愈離愈遠"});
+  out << distance_script;
   figure.draw();
 }

@@ -1,19 +1,17 @@
 #include "far_away.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "first_contact/program/random.hpp"
 #include "first_contact/sweep/contact_times.hpp"
 
 using namespace first_contact;
-using program::uniform, program::unit_vector;
+using program::Accuracy, program::uniform, program::unit_vector;
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 //! [far_away]
 // One shot from `distance` away: how far off the contact is, infinite if the formula does not find it;
@@ -29,26 +27,25 @@ std::optional<double> error_of_one(Formula formula, double distance, std::mt1993
       contact_times<long double>(w.template cast<long double>(), u.template cast<long double>(), d);
   if (!truth) return std::nullopt;
   const auto times = formula == Formula::textbook ? textbook_times(w, u, d) : contact_times(w, u, d);
-  return times ? static_cast<double>(std::abs(times->begin - truth->begin) / d) : infinite;  // u is 1 long
+  return times ? static_cast<double>(std::abs(times->begin - truth->begin) / d)
+               : program::lost_shot;  // u is 1 long
 }
 //! [far_away]
 
 template <class Scalar>
-FarAway measure_from(Formula formula, double distance, std::mt19937& random) {
+Accuracy measure_from(Formula formula, double distance, std::mt19937& random) {
   std::vector<double> errors;
   for (int shot = 0; shot < 2000; ++shot)
     if (const auto error = error_of_one<Scalar>(formula, distance, random)) errors.push_back(*error);
-  std::sort(errors.begin(), errors.end());
-  const auto lost = static_cast<double>(std::count(errors.begin(), errors.end(), infinite));
-  return {distance, errors[errors.size() / 2], lost / static_cast<double>(errors.size())};
+  return program::accuracy(distance, std::move(errors));
 }
 
 }  // namespace
 
 template <class Scalar>
-std::vector<FarAway> measure(Formula formula) {
+std::vector<Accuracy> measure(Formula formula) {
   std::mt19937 random(1);
-  std::vector<FarAway> results;
+  std::vector<Accuracy> results;
   // Beyond 1 / eps, neighbouring numbers are farther apart than the spheres are wide.
   for (int half_decade = 0; half_decade <= 20; ++half_decade) {
     const double distance = std::pow(10, half_decade / 2.0);
@@ -58,5 +55,5 @@ std::vector<FarAway> measure(Formula formula) {
   return results;
 }
 
-template std::vector<FarAway> measure<float>(Formula);
-template std::vector<FarAway> measure<double>(Formula);
+template std::vector<Accuracy> measure<float>(Formula);
+template std::vector<Accuracy> measure<double>(Formula);

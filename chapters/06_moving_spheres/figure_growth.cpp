@@ -54,14 +54,13 @@ void draw_growth(const program::Program& program) {
   Figure figure(program.studio(), "growth", {760, 560});
   figure.data("alike", rows(Crowd::alike), 5);
   figure.data("uneven", rows(Crowd::uneven), 5);
-  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
-  figure.script() << "tests = \"" << say("tests", "測試數") << "\"\n"
-                  << "spheres = \"" << say("spheres {/:Italic n}", "球數 {/:Italic n}") << "\"\n"
-                  << "every_pair = \"" << say("every pair", "每一對") << "\"\n"
-                  << "one_axis = \"" << say("sorted along {/:Italic x}", "沿 {/:Italic x} 排序") << "\"\n"
-                  << "uneven = \"" << say("boxes, if uneven", "盒（大小快慢不一）") << "\"\n"
-                  << "alike = \"" << say("boxes, if alike", "盒（大小快慢相近）") << "\"\n"
-                  << "swept = \"" << say("pairs swept", "精確計算的球對") << "\"\n"
-                  << growth_script;
+  program.label(figure, "tests", {"tests", "測試數"});
+  program.label(figure, "spheres", {"spheres {/:Italic n}", "球數 {/:Italic n}"});
+  program.label(figure, "every_pair", {"every pair", "每一對"});
+  program.label(figure, "one_axis", {"sorted along {/:Italic x}", "沿 {/:Italic x} 排序"});
+  program.label(figure, "uneven", {"boxes, if uneven", "盒（大小快慢不一）"});
+  program.label(figure, "alike", {"boxes, if alike", "盒（大小快慢相近）"});
+  program.label(figure, "swept", {"pairs swept", "精確計算的球對"});
+  figure.script() << growth_script;
   figure.draw();
 }

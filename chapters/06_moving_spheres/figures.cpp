@@ -127,9 +127,9 @@ void draw_closest_approach(const Studio& studio, const Moving<Sphere>& p, const 
 }
 
 // One curve of the measurements: errors as powers of ten, losses in per cent, and its name at the last point.
-void add_curve(Figure& figure, const char* name, const std::vector<FarAway>& results) {
+void add_curve(Figure& figure, const char* name, const std::vector<program::Accuracy>& results) {
   Table rows;
-  for (const FarAway& result : results)
+  for (const program::Accuracy& result : results)
     rows.push_back({std::log10(result.distance), std::log10(result.error), 100 * result.lost});
   figure.data(name, rows, 4);
 }
@@ -182,19 +182,16 @@ void draw_far_away(const program::Program& program) {
   add_curve(figure, "printed_double", measure<double>(Formula::textbook));
   add_curve(figure, "stable_single", measure<float>(Formula::closest_approach));
   add_curve(figure, "stable_double", measure<double>(Formula::closest_approach));
-  const auto& say = [&](const char* english, const char* chinese) { return program.say({english, chinese}); };
-  figure.script() << "printed_s = \"" << say("printed, single", "論文所印，單精度") << "\"\n"
-                  << "printed_d = \"" << say("printed, double", "論文所印，雙精度") << "\"\n"
-                  << "stable_s = \"" << say("stable, single", "穩定形式，單精度") << "\"\n"
-                  << "stable_d = \"" << say("stable, double", "穩定形式，雙精度") << "\"\n"
-                  << "error = \""
-                  << say("error of the contact, in {/:Italic d}", "碰撞位置的誤差（以 {/:Italic d} 計）")
-                  << "\"\n"
-                  << "lost = \"" << say("hits lost, %", "漏失的碰撞（%）") << "\"\n"
-                  << "distance = \""
-                  << say("distance at the start, in {/:Italic d}", "出發時的距離（以 {/:Italic d} 計）")
-                  << "\"\n"
-                  << far_away_script;
+  program.label(figure, "printed_s", {"printed, single", "論文所印，單精度"});
+  program.label(figure, "printed_d", {"printed, double", "論文所印，雙精度"});
+  program.label(figure, "stable_s", {"stable, single", "穩定形式，單精度"});
+  program.label(figure, "stable_d", {"stable, double", "穩定形式，雙精度"});
+  program.label(figure, "error",
+                {"error of the contact, in {/:Italic d}", "碰撞位置的誤差（以 {/:Italic d} 計）"});
+  program.label(figure, "lost", {"hits lost, %", "漏失的碰撞（%）"});
+  program.label(figure, "distance",
+                {"distance at the start, in {/:Italic d}", "出發時的距離（以 {/:Italic d} 計）"});
+  figure.script() << far_away_script;
   figure.draw();
 }
 

@@ -63,7 +63,7 @@ void tell_errors(Report& report) {
     return std::string(text);
   };
   const auto printed = measure<float>(Formula::textbook), stable = measure<float>(Formula::closest_approach);
-  const auto tell = [&](const std::vector<FarAway>& results) {
+  const auto tell = [&](const std::vector<program::Accuracy>& results) {
     for (const std::size_t i : {4U, 6U, 8U}) {
       const std::string from = readable(results[i].distance), lost = readable(100 * results[i].lost) + "%";
       report.row("from " + from + " d", digits(results[i].error, " d"),

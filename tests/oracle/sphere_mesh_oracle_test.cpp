@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "chance.hpp"
 #include "exact_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "test_meshes.hpp"
@@ -12,23 +13,8 @@ using namespace first_contact;
 
 namespace {
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double from, double to) { return std::uniform_real_distribution<>(from, to)(engine_); }
-  std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
-  Vector direction() {
-    std::normal_distribution<> normal;
-    return Vector{normal(engine_), normal(engine_), normal(engine_)}.normalized();
-  }
-  std::mt19937_64& engine() { return engine_; }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 /// A crumpled ball, a crumpled floor, a saddle, a turned cube, or loose triangles.
-Mesh random_mesh(Random& random) {
+Mesh random_mesh(Chance& random) {
   const auto crumple = [&](double by) {
     return [&random, by](const Point& p) { return Point(p + by * random.direction()); };
   };
@@ -56,7 +42,7 @@ Mesh random_mesh(Random& random) {
 }
 
 /// A sphere on its way to touch a face, an edge or a vertex, squarely or barely.
-Moving<Sphere> aimed_cast(Random& random, const Mesh& mesh) {
+Moving<Sphere> aimed_cast(Chance& random, const Mesh& mesh) {
   const Triangle t = mesh.triangle(random.pick(mesh.size()));
   const double u = random.uniform(0, 1), v = random.uniform(0, 1 - u),
                radius = std::pow(10, random.uniform(-3, 0.5));
@@ -101,7 +87,7 @@ double bound(const Mesh& mesh, const Moving<Sphere>& moving) {
 
 TEST_CASE(
     "The first time of a sphere and a mesh is the earliest exact time of its triangles, within the bound") {
-  Random random(20240601);
+  Chance random(20240601);
   int hits = 0;
   for (int i = 0; i < 600; ++i) {
     const Mesh mesh = random_mesh(random);
@@ -146,7 +132,7 @@ double distance_at(const Mesh& mesh, const Moving<Sphere>& moving, double t) {
 }  // namespace
 
 TEST_CASE("Dense sampling and bisection find the same first time as a sweep of a mesh") {
-  Random random(7);
+  Chance random(7);
   for (int i = 0; i < 25; ++i) {
     const Mesh mesh = random_mesh(random);
     const Moving<Sphere> moving = aimed_cast(random, mesh);

@@ -22,15 +22,15 @@ inline first_contact::Vector vector(std::mt19937& random, double size) {
   return {x, y, z};
 }
 
-/// Spheres in a cube of that side, radii from 0.1 to 1, motions of up to 4 along each axis.
-inline Balls balls(std::size_t count, unsigned seed, double side = 6) {
+/// Spheres in a cube of that side, radii from 0.1 to the largest, motions of up to `reach` along each axis.
+inline Balls balls(std::size_t count, unsigned seed, double side = 6, double largest = 1, double reach = 4) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> radius(0.1, 1);
+  std::uniform_real_distribution<double> radius(0.1, largest);
   Balls all;
   all.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const first_contact::Point center = vector(random, side / 2);
-    all.push_back({{center, radius(random)}, vector(random, 4)});
+    all.push_back({{center, radius(random)}, vector(random, reach)});
   }
   return all;
 }
@@ -38,16 +38,7 @@ inline Balls balls(std::size_t count, unsigned seed, double side = 6) {
 /// As many as wished, at one density: radii from 0.1 to 0.3, motions of up to 1, one sphere in a cube of side
 /// 1.
 inline Balls crowd(std::size_t count) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> radius(0.1, 0.3);
-  const double side = std::cbrt(static_cast<double>(count));
-  Balls all;
-  all.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const first_contact::Point center = vector(random, side / 2);
-    all.push_back({{center, radius(random)}, vector(random, 1)});
-  }
-  return all;
+  return balls(count, 1, std::cbrt(static_cast<double>(count)), 0.3, 1);
 }
 
 /// The first contact in extended precision, by the closest approach.
@@ -87,6 +78,14 @@ struct Errors {
     state.counters["error_1e-15"] = largest * 1e15;
   }
 };
+
+/// Counts the errors of the times of p[i] and q[i], and tells them.
+inline void tell_errors(benchmark::State& state, const std::vector<double>& times, const Balls& p,
+                        const Balls& q) {
+  Errors errors;
+  for (std::size_t i = 0; i < times.size(); ++i) errors.count(times[i], truth(p[i], q[i]));
+  errors.tell(state);
+}
 
 /// Time of the processor, not of the clock on the wall, in nanoseconds.
 inline double now() {

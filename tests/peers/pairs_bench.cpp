@@ -80,9 +80,7 @@ void batch_of_spheres(benchmark::State& state) {
   std::vector<double> times(count), sums(count);
   against_floor(
       state, count, [&] { memory_floor(columns, sums); }, [&] { sweep(p_view, q_view, times); });
-  pairs::Errors errors;
-  for (std::size_t i = 0; i < count; ++i) errors.count(times[i], pairs::truth(p[i], q[i]));
-  errors.tell(state);
+  pairs::tell_errors(state, times, p, q);
 }
 BENCHMARK(batch_of_spheres)->Arg(10'000)->Arg(1'000'000)->UseManualTime()->MinTime(2);
 
@@ -97,9 +95,7 @@ void one_sphere_after_the_other(benchmark::State& state) {
     }
   });
   state.counters["ns"] = ns / static_cast<double>(count);
-  pairs::Errors errors;
-  for (std::size_t i = 0; i < count; ++i) errors.count(times[i], pairs::truth(p[i], q[i]));
-  errors.tell(state);
+  pairs::tell_errors(state, times, p, q);
 }
 BENCHMARK(one_sphere_after_the_other)->Arg(1'000'000)->UseManualTime()->MinTime(1);
 

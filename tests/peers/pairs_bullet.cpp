@@ -40,9 +40,7 @@ void bullet_spheres(benchmark::State& state) {
     for (std::size_t i = 0; i < count; ++i) times[i] = bullet_time(p[i], q[i]);
   });
   state.counters["ns"] = ns / static_cast<double>(count);
-  pairs::Errors errors;
-  for (std::size_t i = 0; i < count; ++i) errors.count(times[i], pairs::truth(p[i], q[i]));
-  errors.tell(state);
+  pairs::tell_errors(state, times, p, q);
 }
 BENCHMARK(bullet_spheres)->Arg(100'000)->UseManualTime();
 

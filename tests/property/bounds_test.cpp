@@ -42,7 +42,7 @@ std::vector<Point> clipped(const Triangle& triangle, const Bounds& box) {
       const Point &p = outline[i], &q = outline[(i + 1) % outline.size()];
       const double at_p = sign * p[axis] - limit, at_q = sign * q[axis] - limit;
       if (at_p >= 0) kept.push_back(p);
-      if ((at_p < 0) != (at_q < 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
+      if ((at_p < 0) != (at_q < 0)) kept.emplace_back(p + at_p / (at_p - at_q) * (q - p));
     }
     outline = kept;
   }

@@ -11,6 +11,7 @@
 #include "first_contact/geometry/environment.hpp"
 #include "first_contact/partition/bvh/parts.hpp"
 #include "first_contact/partition/plain_bvh.hpp"
+#include "first_contact/program/terrain.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "property/same_contact.hpp"
 
@@ -34,7 +35,7 @@ Mesh troublesome(Random& random, double size, const Vector& offset) {
   std::vector<Mesh::Face> faces;
   const auto add = [&](const Point& a, const Point& b, const Point& c) {
     const auto first = static_cast<std::uint32_t>(points.size());
-    for (const Point& p : {a, b, c}) points.push_back(size * p + offset);
+    for (const Point& p : {a, b, c}) points.emplace_back(size * p + offset);
     faces.push_back({first, first + 1, first + 2});
   };
   const auto kind = random() % 7;
@@ -44,15 +45,9 @@ Mesh troublesome(Random& random, double size, const Vector& offset) {
     for (std::uint32_t j = 0; j <= n; ++j)
       for (std::uint32_t i = 0; i <= n; ++i) {
         const double height = kind == 6 ? 0 : static_cast<double>(random() % 3) / 4;
-        points.push_back(size * Point(2.0 * i / n - 1, 2.0 * j / n - 1, height) + offset);
+        points.emplace_back(size * Point(2.0 * i / n - 1, 2.0 * j / n - 1, height) + offset);
       }
-    for (std::uint32_t j = 0; j < n; ++j)
-      for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t a = j * (n + 1) + i, c = a + n + 1;
-        faces.push_back({a, a + 1, c + 1});
-        faces.push_back({a, c + 1, c});
-      }
-    return {points, faces};
+    return {points, program::grid_faces(n)};
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Point a = vector(random, 1), b = a + vector(random, 0.3), c = a + vector(random, 0.3);
@@ -139,7 +134,7 @@ TEST_CASE("A scene scaled by a power of two gives the scaled answer of the tree,
   Random random(seed);
   const Mesh mesh = troublesome(random, 1, vector(random, 5));
   std::vector<Point> points;
-  for (const Point& p : mesh.vertices()) points.push_back(scale * p);
+  for (const Point& p : mesh.vertices()) points.emplace_back(scale * p);
   const Bvh tree(mesh), scaled_tree(Mesh(points, mesh.faces()));
   for (int i = 0; i < 50; ++i) {
     const Moving<Sphere> moving = cast(random, mesh, 1);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "chance.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
@@ -21,15 +22,10 @@ struct Scene {
   Moving<Sphere> moving;
 };
 
-class Random {
+class Random : public Chance {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double from, double to) { return std::uniform_real_distribution<>(from, to)(engine_); }
-  std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
-  Vector direction() {
-    std::normal_distribution<> normal;
-    return Vector{normal(engine_), normal(engine_), normal(engine_)}.normalized();
-  }
+  using Chance::Chance;
+
   /// Where a sphere would touch the mesh at a face, an edge or a vertex, and a path that leads there.
   Moving<Sphere> cast_at(const Mesh& mesh) {
     const Triangle t = mesh.triangle(pick(mesh.size()));
@@ -47,12 +43,9 @@ class Random {
   }
   Mesh shuffled(const Mesh& mesh) {
     std::vector<Mesh::Face> faces = mesh.faces();
-    std::shuffle(faces.begin(), faces.end(), engine_);
+    std::shuffle(faces.begin(), faces.end(), source());
     return {mesh.vertices(), faces};
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// Calls law(random) with 400 seeds, and prints the one that breaks it.

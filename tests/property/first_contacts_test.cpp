@@ -5,6 +5,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "chance.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 
 using namespace first_contact;
@@ -12,22 +13,6 @@ using namespace first_contact;
 namespace {
 
 using Balls = std::vector<Moving<Sphere>>;
-
-class Chance {
- public:
-  explicit Chance(unsigned seed) : random_(seed) {}
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  Vector vector(double size) {
-    const double x = uniform(-size, size), y = uniform(-size, size), z = uniform(-size, size);
-    return {x, y, z};
-  }
-  std::mt19937& source() { return random_; }
-
- private:
-  std::mt19937 random_;
-};
 
 bool alike(const std::vector<PairContact>& a, const std::vector<PairContact>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PairContact& x, const PairContact& y) {

@@ -7,6 +7,7 @@
 // The order matters: Catch2 before RapidCheck.
 #include "catch.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
+#include "room.hpp"
 //
 #include <rapidcheck.h>
 #include <rapidcheck/catch.h>
@@ -16,26 +17,6 @@ using namespace first_contact;
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-/// Planes that look at the place where the sphere is: a room, open or closed, with creases and corners at any
-/// angle.
-struct Room {
-  std::vector<Plane> walls;
-};
-
-std::optional<Contact> sweep(const Moving<Sphere>& moving, const Room& room) {
-  std::optional<Contact> first;
-  for (const Plane& wall : room.walls)
-    if (const auto contact = sweep(moving, wall); contact && (!first || contact->time < first->time))
-      first = contact;
-  return first;
-}
-
-double extent(const Room& room) {
-  double largest = 0;
-  for (const Plane& wall : room.walls) largest = std::max(largest, extent(wall));
-  return largest;
-}
 
 /// A number in [-1, 1) with few digits, so that creases at right angles and ties occur, or with many.
 double number() {

@@ -87,6 +87,6 @@ TEST_CASE("A curve of no length stays where it is") {
 
 TEST_CASE("A curve scaled by a power of two has its length scaled by it, to the last bit") {
   std::vector<Point> large;
-  for (const Point& p : arch.control_points()) large.push_back(1048576 * p);
+  for (const Point& p : arch.control_points()) large.emplace_back(1048576 * p);
   CHECK(ArcLength(Bezier(large)).total() == 1048576 * ArcLength(arch).total());
 }

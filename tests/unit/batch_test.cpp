@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "chance.hpp"
 #include "first_contact/sweep/batch_loops.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
@@ -32,16 +33,13 @@ double plain_time(const Moving& moving, const Obstacle& obstacle) {
   return contact ? contact->time : no_contact;
 }
 
-class Chance {
+/// Whole numbers now and then, for what is equal, at rest, concentric, tangent or parallel.
+class Bodies : Chance {
  public:
-  explicit Chance(unsigned seed) : random_(seed) {}
+  using Chance::Chance;
 
-  double uniform(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  /// A whole number now and then, for what is equal, at rest, concentric, tangent or parallel.
   Vector vector(double size) {
-    Vector v(uniform(-size, size), uniform(-size, size), uniform(-size, size));
+    Vector v = Chance::vector(size);
     for (double& x : v)
       if (uniform(0, 1) < 0.4) x = std::round(x / size * 2);
     return v;
@@ -63,17 +61,14 @@ class Chance {
     if (n.isZero(0)) n.z() = 1;
     return Plane(n, std::round(uniform(-2, 2)));
   }
-
- private:
-  std::mt19937 random_;
 };
 
 constexpr std::size_t many = 20003;  // not a multiple of a line of the memory
 
 Balls balls(unsigned seed, double away = 4, double speed = 6) {
-  Chance chance(seed);
+  Bodies bodies(seed);
   Balls all;
-  for (std::size_t i = 0; i < many; ++i) all.push_back(chance.ball(away, speed));
+  for (std::size_t i = 0; i < many; ++i) all.push_back(bodies.ball(away, speed));
   return all;
 }
 
@@ -100,11 +95,11 @@ TEST_CASE("A batch of two moving spheres has the times of the plain sweep, bit f
 TEST_CASE("A batch of spheres against a plane has the times of the plain sweep, bit for bit", "[batch]") {
   const Balls all = balls(3);
   const MovingColumns columns(all);
-  Chance chance(4);
+  Bodies bodies(4);
   std::vector<double> times(many);
   std::size_t unlike = 0, found = 0;
   for (int k = 0; k < 20; ++k) {
-    const Plane plane = chance.plane();
+    const Plane plane = bodies.plane();
     sweep(columns.spheres(), plane, times);
     for (std::size_t i = 0; i < many; ++i)
       unlike += times[i] != plain_time(all[i], plane), found += times[i] <= 1;
@@ -114,14 +109,14 @@ TEST_CASE("A batch of spheres against a plane has the times of the plain sweep, 
 }
 
 TEST_CASE("A batch of boxes against a plane has the times of the plain sweep, bit for bit", "[batch]") {
-  Chance chance(5);
+  Bodies bodies(5);
   Boxes all;
-  for (std::size_t i = 0; i < many; ++i) all.push_back(chance.box());
+  for (std::size_t i = 0; i < many; ++i) all.push_back(bodies.box());
   const MovingColumns columns(all);
   std::vector<double> times(many);
   std::size_t unlike = 0, found = 0;
   for (int k = 0; k < 20; ++k) {
-    const Plane plane = chance.plane();
+    const Plane plane = bodies.plane();
     sweep(columns.boxes(), plane, times);
     for (std::size_t i = 0; i < many; ++i)
       unlike += times[i] != plain_time(all[i], plane), found += times[i] <= 1;

@@ -24,7 +24,8 @@ Points cloud(unsigned seed, std::size_t count, const Vector& size) {
   std::uniform_real_distribution<double> coordinate(-1, 1);
   Points points;
   while (points.size() < count)
-    points.push_back(Vector(coordinate(engine), coordinate(engine), coordinate(engine)).cwiseProduct(size));
+    points.emplace_back(
+        Vector(coordinate(engine), coordinate(engine), coordinate(engine)).cwiseProduct(size));
   return points;
 }
 
@@ -105,7 +106,7 @@ TEST_CASE(
 TEST_CASE("Points that are equal, on one line, in one plane or on one sphere have a bounding sphere too") {
   CHECK(bounding_sphere(Points(50, Point(1, 2, 3))).radius == 0);
   Points line, grid, ball;
-  for (int i = 0; i <= 100; ++i) line.push_back(Point(1, 2, 3) + i * Vector(0.03, 0.04, 0));
+  for (int i = 0; i <= 100; ++i) line.emplace_back(Point(1, 2, 3) + i * Vector(0.03, 0.04, 0));
   for (int i = 0; i <= 10; ++i)
     for (int k = 0; k <= 10; ++k) {
       grid.emplace_back(i, k, 0.1 * i + 0.2 * k);

@@ -8,29 +8,11 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
+#include "room.hpp"
 
 using namespace first_contact;
 
 namespace {
-
-/// Several planes as one environment, the simplest that has creases and corners.
-struct Room {
-  std::vector<Plane> walls;
-};
-
-std::optional<Contact> sweep(const Moving<Sphere>& moving, const Room& room) {
-  std::optional<Contact> first;
-  for (const Plane& wall : room.walls)
-    if (const auto contact = sweep(moving, wall); contact && (!first || contact->time < first->time))
-      first = contact;
-  return first;
-}
-
-double extent(const Room& room) {
-  double largest = 0;
-  for (const Plane& wall : room.walls) largest = std::max(largest, extent(wall));
-  return largest;
-}
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const Plane ground{{0, 0, 1}, 0};

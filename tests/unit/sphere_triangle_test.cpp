@@ -1,5 +1,7 @@
 #include "first_contact/sweep/sphere_triangle.hpp"
 
+#include <limits>
+
 #include "catch.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/sweep/moved_out.hpp"
@@ -147,4 +149,15 @@ TEST_CASE("A face that is flatter than what a ball sags through it is left to it
   const auto contact = cast({0.5, height / 2, 3}, {0.5, height / 2, -1}, 1, thin.triangle);
   REQUIRE(contact);
   CHECK(contact->time == Approx(0.5).epsilon(1e-15));
+}
+
+TEST_CASE(
+    "A sphere that passes a vertex by a rounding error more than its radius touches it where it is closest") {
+  const Triangle below({0, 0, 0}, {1, 0, -9}, {-1, 1, -9});
+  const double eps = std::numeric_limits<double>::epsilon();
+  const Moving<Sphere> moving{Sphere{{0, -1e-7, 1 + 8 * eps}, 1}, {0, 4, 0}};
+  const auto contact = sweep(moving, below);
+  REQUIRE(contact);
+  CHECK(contact->time == Approx(0.25e-7).epsilon(1e-6));
+  CHECK_FALSE(sweep(Moving<Sphere>{Sphere{{0, -1e-7, 1 + 1e-12}, 1}, {0, 4, 0}}, below));
 }

@@ -60,7 +60,7 @@ bool meet(const Side& a, const Side& b) {
 
 StageObject::StageObject(std::span<const Point2> outline, const Eigen::Affine2d& to_stage) {
   for (const Point2& corner : outline) {
-    outline_.push_back(to_stage * corner);
+    outline_.emplace_back(to_stage * corner);
     box_.extend(outline_.back());
     if (outline_.back().allFinite()) continue;
     std::ostringstream message;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -101,6 +102,10 @@ class Program {
   Language language() const;
   /// Text in the language of this run.
   std::string say(const Text& text) const { return text.in(language()); }
+  /// Gives a figure's script a variable of that name, for a label in the language that the user chose.
+  void label(figure::Figure& figure, std::string_view variable, const Text& text) const {
+    figure.script() << variable << " = \"" << say(text) << "\"\n";
+  }
   /// False with `--no-figures`.
   bool draws() const;
   /// Where figures go and how they are drawn.

@@ -8,13 +8,7 @@
 
 namespace first_contact::program {
 
-Mesh height_field(std::uint32_t n, double side, const std::function<double(double, double)>& height) {
-  std::vector<Point> vertices;
-  for (std::uint32_t j = 0; j <= n; ++j)
-    for (std::uint32_t i = 0; i <= n; ++i) {
-      const double x = side * i / n, y = side * j / n;
-      vertices.emplace_back(x, y, height(x, y));
-    }
+std::vector<Mesh::Face> grid_faces(std::uint32_t n) {
   std::vector<Mesh::Face> faces;
   for (std::uint32_t j = 0; j < n; ++j)
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -22,7 +16,17 @@ Mesh height_field(std::uint32_t n, double side, const std::function<double(doubl
       faces.push_back({a, b, d});
       faces.push_back({a, d, c});
     }
-  return {std::move(vertices), std::move(faces)};
+  return faces;
+}
+
+Mesh height_field(std::uint32_t n, double side, const std::function<double(double, double)>& height) {
+  std::vector<Point> vertices;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      const double x = side * i / n, y = side * j / n;
+      vertices.emplace_back(x, y, height(x, y));
+    }
+  return {std::move(vertices), grid_faces(n)};
 }
 
 Mesh terrain(std::uint32_t n, std::uint64_t seed) {

@@ -1,10 +1,14 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "first_contact/geometry/mesh.hpp"
 
 namespace first_contact::program {
+
+/// The triangles of a grid of n n squares, two of each, over (n + 1)^2 vertices in rows.
+std::vector<Mesh::Face> grid_faces(std::uint32_t n);
 
 /// The surface z = height(x, y) over the square from (0, 0) to (side, side), in 2 n n triangles. The height
 /// is asked for once at each vertex, row by row.

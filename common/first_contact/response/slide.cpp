@@ -158,7 +158,7 @@ Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, d
     if (step.isZero(0)) path.ending = Ending::cornered;
     if (path.ending != Ending::arrived) return path;
   }
-  if (!step.isZero(0)) path.positions.push_back(sphere.center + step);
+  if (!step.isZero(0)) path.positions.emplace_back(sphere.center + step);
   return path;
 }
 //! [slide]

@@ -28,43 +28,42 @@ inline double sign(double a) { return __builtin_copysign(1.0, a); }
 inline double choose(bool which, double yes, double no) { return which ? yes : no; }
 inline bool any(bool which) { return which; }
 
+#if defined(__AVX2__) && defined(__FMA__)
 #if defined(__AVX512F__)
 using Doubles __attribute__((vector_size(64))) = double;
+#else
+using Doubles __attribute__((vector_size(32))) = double;
+#endif
 using Longs = decltype(Doubles{} < Doubles{});
+using Widest = Doubles;
 
-inline Doubles read(const double* from, Doubles) { return (Doubles)_mm512_loadu_pd(from); }
-inline void write(double* to, Doubles a) { _mm512_storeu_pd(to, (__m512d)a); }
-inline Doubles all(double a, Doubles) { return (Doubles)_mm512_set1_pd(a); }
+inline Doubles read(const double* from, Doubles a) {
+  __builtin_memcpy(&a, from, sizeof a);
+  return a;
+}
+inline void write(double* to, Doubles a) { __builtin_memcpy(to, &a, sizeof a); }
+inline Doubles all(double a, Doubles) { return a - Doubles{}; }  // + would make 0 of -0
+inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
+inline Doubles sign(Doubles a) { return (Doubles)((Longs)all(1.0, a) | ((Longs)a ^ (Longs)magnitude(a))); }
+inline Doubles choose(Longs which, Doubles yes, Doubles no) { return which ? yes : no; }
+
+#if defined(__AVX512F__)
 inline Doubles fused(Doubles a, Doubles b, Doubles c) {
   return (Doubles)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
 }
 // The plain _mm512_sqrt_pd of g++ 12 warns of itself.
 inline Doubles root(Doubles a) { return (Doubles)_mm512_maskz_sqrt_pd(0xff, (__m512d)a); }
 inline bool any(Longs which) { return _mm512_test_epi64_mask((__m512i)which, (__m512i)which) != 0; }
-using Widest = Doubles;
-
-#elif defined(__AVX2__) && defined(__FMA__)
-using Doubles __attribute__((vector_size(32))) = double;
-using Longs = decltype(Doubles{} < Doubles{});
-
-inline Doubles read(const double* from, Doubles) { return (Doubles)_mm256_loadu_pd(from); }
-inline void write(double* to, Doubles a) { _mm256_storeu_pd(to, (__m256d)a); }
-inline Doubles all(double a, Doubles) { return (Doubles)_mm256_set1_pd(a); }
+#else
 inline Doubles fused(Doubles a, Doubles b, Doubles c) {
   return (Doubles)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
 }
 inline Doubles root(Doubles a) { return (Doubles)_mm256_sqrt_pd((__m256d)a); }
 inline bool any(Longs which) { return !_mm256_testz_si256((__m256i)which, (__m256i)which); }
-using Widest = Doubles;
+#endif
 
 #else
 using Widest = double;
-#endif
-
-#if defined(__AVX2__) && defined(__FMA__)
-inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
-inline Doubles sign(Doubles a) { return (Doubles)((Longs)all(1.0, a) | ((Longs)a ^ (Longs)magnitude(a))); }
-inline Doubles choose(Longs which, Doubles yes, Doubles no) { return which ? yes : no; }
 #endif
 
 /// How many doubles are taken at once.
