@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -13,6 +14,8 @@ class Chance {
   double uniform(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine_);
   }
+  /// Of any size between the two alike.
+  double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   /// One of n: 0, 1, ..., n - 1.
   std::size_t pick(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(engine_); }
   /// Anywhere in the cube from -size to size.

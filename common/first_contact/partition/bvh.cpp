@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <future>
 #include <stdexcept>
 #include <vector>
 
@@ -16,7 +15,7 @@ Bvh::Parts::Parts(Mesh triangles) : mesh(std::move(triangles)), space(mesh) {
   bvh::BinaryTree binary;
   if (mesh.size() > 0) binary = bvh::split(mesh, space, merged);
   surface.emplace(mesh, merged, binary.order);
-  packed = bvh::pack(binary, mesh, space, merged, *surface);
+  packed = bvh::pack(binary, *surface, space);
   const Point& center = space.center();
   tree = {packed.nodes.data(),
           packed.leaves.data(),

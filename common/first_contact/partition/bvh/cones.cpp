@@ -21,11 +21,11 @@ constexpr float widest = 0.25F;
 
 /// Of length 1; zero for a triangle that is thin or small.
 Eigen::Vector3f unit_normal(const Triangle& t, const Space& space) {
-  const Vector u = t.b - t.a, v = t.c - t.a, normal = u.cross(v);
+  const Vector u = space.vector(t.b - t.a), v = space.vector(t.c - t.a), normal = u.cross(v);
   const double area2 = normal.squaredNorm();
   const double longest2 = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
   const bool thick = area2 >= longest2 * least_height * (longest2 * least_height);
-  if (!thick || !(space.length(std::sqrt(longest2)) > least_side)) return Eigen::Vector3f::Zero();
+  if (!thick || !(longest2 > least_side * least_side)) return Eigen::Vector3f::Zero();
   return (normal / std::sqrt(area2)).cast<float>();
 }
 

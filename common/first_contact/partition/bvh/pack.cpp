@@ -22,50 +22,6 @@ constexpr int smallest_exponent = -100;
 /// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends.
 constexpr std::size_t read_past_the_end = 64;
 
-class Packer {
- public:
-  Packer(const BinaryTree& from, const Mesh& surface, const Space& unit, const Merged& vertices,
-         const Collapse& wide, const Surface& ordered, const NormalCones& cones)
-      : tree_(from),
-        mesh_(surface),
-        space_(unit),
-        merged_(vertices),
-        collapse_(wide),
-        surface_(ordered),
-        cones_(cones) {}
-
-  PackedTree pack();
-
- private:
-  const Branch& branch(std::uint32_t number) const { return tree_.branches[number]; }
-  Point vertex(std::uint32_t number) const { return space_.point(mesh_.vertices()[number]); }
-  const Mesh::Face& face(std::uint32_t place) const { return mesh_.faces()[tree_.order[place]]; }
-
-  std::uint32_t add_leaf(const Branch& leaf);
-  std::uint8_t cone(const Vector& normal, std::uint32_t first, std::uint32_t count) const;
-  Node make_node(std::uint32_t number, const Cover& cover);
-  Node subtree(std::uint32_t number);
-  void attach(Node& parent, std::size_t j, const Node& child);
-  Node append(const Packer& part, const Node& top);
-  PackedTree finish();
-  template <class Work>
-  void in_turns(const Cover& cover, const Work& work) const;
-  void write_children(Node& node, const Cover& cover);
-  void write_slab(Node& node, std::size_t j, const Branch& child) const;
-  Vector area_vector(const Branch& part) const;
-
-  const BinaryTree& tree_;
-  const Mesh& mesh_;
-  const Space& space_;
-  const Merged& merged_;
-  const Collapse& collapse_;
-  const Surface& surface_;
-  const NormalCones& cones_;
-  PackedTree result_;
-  std::size_t leaf_count_ = 0;
-  double sum_of_sizes_ = 0;
-};
-
 /// The different vertices of a leaf, and which of them the corners of its triangles are.
 struct LeafVertices {
   std::array<std::uint32_t, most_vertices> number;
@@ -79,34 +35,75 @@ struct LeafVertices {
   }
 };
 
+class Packer {
+ public:
+  Packer(const BinaryTree& from, const Collapse& wide, const Surface& triangles, const Space& unit,
+         const NormalCones& turned)
+      : tree_(from), collapse_(wide), surface_(triangles), space_(unit), cones_(turned) {}
+
+  PackedTree pack();
+
+ private:
+  const Branch& branch(std::uint32_t number) const { return tree_.branches[number]; }
+  std::span<const Place> triangles(const Branch& part) const {
+    return surface_.places().subspan(part.first, part.count);
+  }
+  Point vertex(std::uint32_t number) const { return space_.point(surface_.position(number)); }
+
+  std::uint32_t add_leaf(const Branch& leaf);
+  std::uint8_t cone(const Vector& normal, std::span<const Place> triangles) const;
+  LeafHead head_of(const Branch& leaf, LeafVertices& vertices) const;
+  Node make_node(std::uint32_t number, const Cover& cover);
+  Node subtree(std::uint32_t number);
+  void attach(Node& parent, std::size_t j, const Node& child);
+  Node append(const Packer& part, const Node& top);
+  PackedTree finish();
+  template <class Work>
+  void in_turns(const Cover& cover, const Work& work) const;
+  void write_children(Node& node, const Cover& cover);
+  void write_slab(Node& node, std::size_t j, const Branch& child) const;
+  Vector area_vector(std::span<const Place> part) const;
+
+  const BinaryTree& tree_;
+  const Collapse& collapse_;
+  const Surface& surface_;
+  const Space& space_;
+  const NormalCones& cones_;
+  PackedTree result_;
+  std::size_t leaf_count_ = 0;
+  double sum_of_sizes_ = 0;
+};
+
 /// The cosine of the cone of some triangles about a normal, in 255ths of its length.
-std::uint8_t Packer::cone(const Vector& normal, std::uint32_t first, std::uint32_t count) const {
+std::uint8_t Packer::cone(const Vector& normal, std::span<const Place> triangles) const {
   const auto length = static_cast<float>(normal.norm());
   if (!(length > 0)) return 0;
   const Eigen::Vector3f axis = normal.cast<float>() / length;
-  const float cosine = cones_.cosine_around(axis, surface_.places().subspan(first, count));
-  return static_cast<std::uint8_t>(255 * length * cosine);
+  return static_cast<std::uint8_t>(255 * length * cones_.cosine_around(axis, triangles));
+}
+
+/// The head of a leaf but for its unit, and its vertices.
+LeafHead Packer::head_of(const Branch& leaf, LeafVertices& vertices) const {
+  LeafHead head{};
+  head.first = leaf.first;
+  head.triangles = static_cast<std::uint8_t>(leaf.count);
+  const auto all = triangles(leaf);
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(all[j].corner[i]) << 4 * j;
+    const auto triangle = all.subspan(j, 1);
+    head.cone[j] = cone(area_vector(triangle).normalized(), triangle);
+  }
+  head.vertices = static_cast<std::uint8_t>(vertices.count);
+  for (std::size_t i = 0; i < 3; ++i) head.origin[i] = (leaf.low[i] + leaf.high[i]) / 2;
+  return head;
 }
 
 /// Gives the leaf's place, in units.
 std::uint32_t Packer::add_leaf(const Branch& leaf) {
-  LeafHead head{};
   LeafVertices vertices;
-  head.first = leaf.first;
-  head.triangles = static_cast<std::uint8_t>(leaf.count);
-  for (std::uint32_t j = 0; j < leaf.count; ++j) {
-    const Mesh::Face corners = merged_.corners(face(leaf.first + j));
-    for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(corners[i]) << 4 * j;
-  }
-  head.vertices = static_cast<std::uint8_t>(vertices.count);
-  for (std::uint32_t j = leaf.first; j < leaf.first + leaf.count; ++j) {
-    const Vector normal = surface_.triangle(surface_.places()[j]).area_vector();
-    head.cone[j - leaf.first] = cone(normal.normalized(), j, 1);
-  }
-
+  LeafHead head = head_of(leaf, vertices);
   std::array<Vector, most_vertices> position;
   double reach = 0;
-  for (std::size_t i = 0; i < 3; ++i) head.origin[i] = (leaf.low[i] + leaf.high[i]) / 2;
   for (std::size_t v = 0; v < vertices.count; ++v) {
     position[v] = vertex(vertices.number[v]) - Point(head.origin[0], head.origin[1], head.origin[2]);
     reach = std::max(reach, position[v].cwiseAbs().maxCoeff());
@@ -133,12 +130,11 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
   return static_cast<std::uint32_t>(at / leaf_unit);
 }
 
-Vector Packer::area_vector(const Branch& part) const {
+Vector Packer::area_vector(std::span<const Place> part) const {
   Vector sum = Vector::Zero();
-  for (std::uint32_t j = part.first; j < part.first + part.count; ++j) {
-    const Mesh::Face& corners = face(j);
-    const Point a = vertex(corners[0]);
-    sum += (vertex(corners[1]) - a).cross(vertex(corners[2]) - a);
+  for (const auto& [number, corner] : part) {
+    const Point a = vertex(corner[0]);
+    sum += (vertex(corner[1]) - a).cross(vertex(corner[2]) - a);
   }
   return sum;
 }
@@ -150,7 +146,7 @@ void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   node.slab[1][j] = 65535;
   const double half = 255.0 * (double{node.step[0]} + double{node.step[1]} + double{node.step[2]});
   if (child.count > most_in_a_slab || !(half > 0)) return;
-  const Vector area = area_vector(child);
+  const Vector area = area_vector(triangles(child));
   const double length = area.norm();
   if (!(length > 0)) return;
   Vector normal;
@@ -161,8 +157,8 @@ void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   }
   double low = half, high = -half;
   const Point origin(node.origin[0], node.origin[1], node.origin[2]);
-  for (std::uint32_t place = child.first; place < child.first + child.count; ++place)
-    for (const std::uint32_t corner : face(place)) {
+  for (const Place& place : triangles(child))
+    for (const std::uint32_t corner : place.corner) {
       const double height = normal.dot(vertex(corner) - origin);
       low = std::min(low, height);
       high = std::max(high, height);
@@ -170,7 +166,7 @@ void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   const auto step_at = [&](double height) { return (height / half + 1) * (65535 / 2.0); };
   node.slab[0][j] = static_cast<std::uint16_t>(std::clamp(std::floor(step_at(low) - 1e-3), 0.0, 65535.0));
   node.slab[1][j] = static_cast<std::uint16_t>(std::clamp(std::ceil(step_at(high) + 1e-3), 0.0, 65535.0));
-  if (child.leaf()) node.cone[j] = cone(normal, child.first, child.count);
+  if (child.leaf()) node.cone[j] = cone(normal, triangles(child));
 }
 //! [slab]
 
@@ -240,8 +236,7 @@ PackedTree Packer::pack() {
   const Cover cover = collapse_.children(0);
   result_.nodes.resize(1);
   Node top = make_node(0, cover);
-  std::vector<Packer> parts(cover.branch.size(),
-                            Packer(tree_, mesh_, space_, merged_, collapse_, surface_, cones_));
+  std::vector<Packer> parts(cover.branch.size(), *this);
   std::array<Node, width> child{};
   in_turns(cover, [&](std::size_t j) { child[j] = parts[j].subtree(cover.branch[j]); });
   for (std::size_t j = 0; j < top.count; ++j)
@@ -293,12 +288,11 @@ PackedTree Packer::finish() {
 
 }  // namespace
 
-PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged,
-                const Surface& surface) {
+PackedTree pack(const BinaryTree& tree, const Surface& surface, const Space& space) {
   if (tree.order.empty()) return {};
   const Collapse collapse(tree.branches);
   const NormalCones cones(surface, space);
-  return Packer(tree, mesh, space, merged, collapse, surface, cones).pack();
+  return Packer(tree, collapse, surface, space, cones).pack();
 }
 
 }  // namespace first_contact::bvh

@@ -22,7 +22,6 @@ struct PackedTree {
 ///
 /// The idea: every rounding goes outward. A box is stored in 256 steps of its parent's, a slab in 65,536; low
 /// sides are rounded down and high sides up, so that what is stored holds what it stands for.
-PackedTree pack(const BinaryTree& tree, const Mesh& mesh, const Space& space, const Merged& merged,
-                const Surface& surface);
+PackedTree pack(const BinaryTree& tree, const Surface& surface, const Space& space);
 
 }  // namespace first_contact::bvh
