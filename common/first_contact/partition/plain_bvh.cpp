@@ -31,7 +31,7 @@ double PlainBvh::Box::surface() const {
 }
 
 PlainBvh::PlainBvh(Mesh mesh) : mesh_(std::move(mesh)), order_(mesh_.size()) {
-  std::iota(order_.begin(), order_.end(), 0u);
+  std::iota(order_.begin(), order_.end(), 0U);
   if (mesh_.size() > 0) plant();
   surface_.emplace(mesh_, bvh::Merged(mesh_), order_);
 }

@@ -60,7 +60,7 @@ class PlainBvh {
   };
 
   void plant();
-  void grow(std::vector<Box>& boxes, std::uint32_t node);
+  void grow(std::vector<Box>& boxes, std::uint32_t number);
   std::uint32_t cut(const std::vector<Box>& boxes, const Node& node);
   int depth(const Node& node) const;
 

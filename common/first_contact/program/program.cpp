@@ -105,7 +105,7 @@ struct Program::Inside {
   }
 };
 
-Program::Program(std::string name, std::string chapter, const std::string& purpose)
+Program::Program(std::string name, const std::string& chapter, const std::string& purpose)
     : inside_(std::make_unique<Inside>(purpose)) {
   Inside& in = *inside_;
   in.name = std::move(name);

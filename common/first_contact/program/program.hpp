@@ -30,7 +30,7 @@ class Program {
   /// \param name  of the program
   /// \param purpose  one line for `--help`
   /// \param chapter  the folder of the chapter, also of its figures: "01_plane"
-  Program(std::string name, std::string chapter, const std::string& purpose);
+  Program(std::string name, const std::string& chapter, const std::string& purpose);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program();
