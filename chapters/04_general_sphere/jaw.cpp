@@ -8,7 +8,6 @@
 
 using namespace first_contact;
 using namespace first_contact::figure;
-using program::Text;
 
 namespace jaw {
 namespace {

@@ -17,7 +17,7 @@ using pairs::Balls;
 
 namespace {
 
-typedef double Two __attribute__((vector_size(16), aligned(8)));
+using Two __attribute__((vector_size(16), aligned(8))) = double;
 
 inline Two two(const double* from) {
   Two value;
