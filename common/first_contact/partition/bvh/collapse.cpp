@@ -8,7 +8,7 @@ namespace first_contact::bvh {
 namespace {
 
 /// What a leaf takes to test, in node tests.
-constexpr float leaf_work = 1.5f;
+constexpr float leaf_work = 1.5F;
 
 float surface(const Branch& branch) {
   const Floats4 d = branch.high - branch.low;

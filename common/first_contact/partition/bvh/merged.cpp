@@ -12,7 +12,7 @@ std::uint64_t hash(const Point& p) {
   std::uint64_t result = 0;
   for (const double x : p) {
     result ^= std::bit_cast<std::uint64_t>(x + 0.0);  // -0 is 0
-    result *= 0x9e3779b97f4a7c15u;
+    result *= 0x9e3779b97f4a7c15U;
     result ^= result >> 32;
   }
   return result;
