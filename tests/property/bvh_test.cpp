@@ -164,6 +164,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("A sphere that slides within rounding of a face is answered alike by all") {
+  const std::uint64_t seed = GENERATE(range(1u, 300u));
+  Random random(seed);
+  for (int i = 0; i < 100; ++i) {
+    const double size = std::pow(10.0, uniform(random, -6, 6)), r = size * std::exp(uniform(random, -4, 2));
+    const Point a = vector(random, size), b = a + vector(random, size), c = a + vector(random, size);
+    const Mesh mesh({a, b, c, Point(b + c - a)}, {{0, 1, 2}, {1, 3, 2}});
+    const Vector normal = mesh.triangle(0).area_vector().normalized();
+    const Vector along = normal.cross(vector(random, size));
+    const Point lowest = a + uniform(random, -1, 2) * (b - a) + uniform(random, -1, 2) * (c - a);
+    const Vector tilt = std::pow(10.0, uniform(random, -17, -12)) * along.norm() * normal;
+    const Moving<Sphere> moving{Sphere{lowest + r * normal, r}, random() % 2 ? Vector(along - tilt) : along};
+    const Bvh fast(mesh);
+    const auto expected = sweep(moving, Environment(mesh));
+    CAPTURE(seed, i, told(expected), told(sweep(moving, fast)));
+    REQUIRE(same(sweep(moving, PlainBvh(mesh)), expected));
+    REQUIRE(same(sweep(moving, fast), expected));
+    REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+  }
+}
+
 TEST_CASE("A tree of nothing is touched by nothing") {
   const Bvh fast(Mesh({}, {}));
   CHECK_FALSE(sweep(Moving<Sphere>{{{0, 0, 0}, 1}, {1, 0, 0}}, fast));
