@@ -17,22 +17,21 @@ namespace first_contact {
 /// bvh/walk.hpp, bvh/node_test.inc and bvh/leaf_bound.inc (casting, eight triangles at once), and
 /// bvh/verdict.hpp (deciding).
 ///
-/// Measured on busy cores (./course bench), of the time of a plain tree with the sweep of a textbook, which
-/// finds a time and no more:
+/// Measured on an idle machine (./course bench), of the time of a plain tree with the sweep of a textbook,
+/// which finds a time and no more:
 ///
 /// | triangles | micro | hop | long | aimed |
 /// | --- | --- | --- | --- | --- |
-/// | 2,048 | .30 | .43 | .46 | .47 |
-/// | 20,000 | .24 | .29 | .38 | .37 |
-/// | 199,712 | .21 | .30 | .28 | .37 |
-/// | 999,698 | .21 | .22 | .23 | .38 |
+/// | 2,048 | .30 | .37 | .43 | .40 |
+/// | 20,000 | .24 | .31 | .39 | .40 |
+/// | 199,712 | .19 | .24 | .26 | .29 |
+/// | 999,698 | .20 | .23 | .25 | .29 |
 ///
-/// What limits it. In a small tree: what each cast does once, its way into floats and out again, and point,
-/// normal, feature and triangle of the contact. In a large one: memory, for which one cast waits; many
-/// in turns take .19 to .37 instead, no less, since the processor guesses their ways less well than one way.
-/// And everywhere the casts that get free of a surface that they overlap: they must decide about all that
-/// they touch on the way and that the surface around leads nearer than, where the textbook stops at the
-/// start. At a million triangles 3 % of the aimed casts are such, and take 37 % of the time of all.
+/// What limits it. In a small tree: to decide. A walk as good as this one that took the first time it computes
+/// for the answer would need two thirds of the time; the rest makes the answer exact and whole: point, normal,
+/// feature and triangle, the same on every machine. In a large tree also memory, for which one cast waits;
+/// many in turns take .15 to .25 at a million triangles, hardly less, since then the processor guesses their
+/// ways less well.
 class Bvh {
  public:
   /// Builds the tree, on all processors. At most 2^28 triangles.
@@ -65,11 +64,13 @@ class Bvh {
 /// triangle, by at most 16 eps L = 3.6e-15 L. In other words, with N the normal at the contact:
 /// - a sphere that goes deeper than that into a triangle is never missed, and one that stays farther away
 /// than that is never said to touch it;
-/// - the time is wrong by at most 16 eps L / |N.V|, or sqrt(32 eps L r) / |V| if the sphere only grazes.
+/// - the time is wrong by at most 16 eps L / |N.V|, or sqrt(32 eps L r) / |V| if the sphere only grazes;
+/// - a point, r = 0, which cannot go deep, is within that of the triangle at the time of contact, and is not
+/// missed if it passes inside all sides, from before the plane to behind it, by more than that.
 ///
 /// The bound is derived with rounding_of_distance (moved_out.hpp): the difference of two points, a cross
 /// product, the closest approach and the root, each rounded, move the distance by less than 8 eps L. In a
-/// million casts made to be hard the worst was .73 of the bound (./course verify).
+/// million casts made to be hard the worst was .51 of the bound (./course verify).
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh);
 
 /// Many casts at once, in turns, so that while one waits for memory others go on. first[i] is what
