@@ -27,11 +27,11 @@ namespace first_contact {
 /// | 199,712 | .19 | .24 | .26 | .29 |
 /// | 999,698 | .20 | .23 | .25 | .29 |
 ///
-/// What limits it. In a small tree: to decide. A walk as good as this one that took the first time it computes
-/// for the answer would need two thirds of the time; the rest makes the answer exact and whole: point, normal,
-/// feature and triangle, the same on every machine. In a large tree also memory, for which one cast waits;
-/// many in turns take .15 to .25 at a million triangles, hardly less, since then the processor guesses their
-/// ways less well.
+/// What limits it. In a small tree: to decide. A walk as good as this one that took the first time it
+/// computes for the answer would need two thirds of the time; the rest makes the answer exact and whole:
+/// point, normal, feature and triangle, the same on every machine. In a large tree also memory, for which one
+/// cast waits; many in turns take .15 to .25 at a million triangles, hardly less, since then the processor
+/// guesses their ways less well.
 class Bvh {
  public:
   /// Builds the tree, on all processors. At most 2^28 triangles.
