@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 namespace process = boost::process;
 
-// gnuplot counts the pictures of an animation aloud, "25 frames in animation sequence": no complaint, all else is one.
+// gnuplot counts the pictures of an animation aloud, "25 frames in animation sequence": no complaint, all
+// else is one.
 bool is_count_of_frames(const std::string& said) {
   constexpr std::string_view rest = " frames in animation sequence";
   const std::size_t number = said.find_first_not_of("0123456789");

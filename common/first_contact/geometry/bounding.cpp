@@ -17,8 +17,8 @@ namespace {
 // rim.
 constexpr double outside_tolerance = 1e-10;
 
-// An edge is in the span of others when this part of its length, or less, is across them: well above the rounding in
-// what is across.
+// An edge is in the span of others when this part of its length, or less, is across them: well above the
+// rounding in what is across.
 constexpr double flat_tolerance = 1e-12;
 
 void require_points(std::span<const Point> points) {
@@ -40,9 +40,10 @@ Box box_along(const Eigen::Matrix3d& axes, std::span<const Point> points) {
 }
 
 //! [through]
-// The smallest sphere that has all of one to four points on its rim. Its centre C lies in the plane, line or space of
-// the edges d from the first point, and 2 d.(C - P0) = d.d for each: edge by edge the centre is moved across those that
-// came before, which changes nothing that they asked. An edge in their span asks nothing new.
+// The smallest sphere that has all of one to four points on its rim. Its centre C lies in the plane, line
+// or space of the edges d from the first point, and 2 d.(C - P0) = d.d for each: edge by edge the centre is
+// moved across those that came before, which changes nothing that they asked. An edge in their span asks
+// nothing new.
 Sphere through(const std::vector<Point>& rim) {
   if (rim.empty()) return {Point::Zero(), 0};
   std::array<Vector, 3> across;

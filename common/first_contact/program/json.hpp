@@ -7,7 +7,8 @@ namespace first_contact::program {
 /// Results in the order in which they were given.
 using Json = nlohmann::ordered_json;
 
-/// Prints with 17 significant digits, so that every double is read back as it was; what is not a number is null.
+/// Prints with 17 significant digits, so that every double is read back as it was; what is not a number is
+/// null.
 std::string to_string(const Json& json);
 
 }  // namespace first_contact::program
