@@ -67,7 +67,7 @@ NormalCones::NormalCones(const Surface& surface, const Space& space)
 //! [cone_at]
 NormalCones::Cone NormalCones::cone_at(std::uint32_t vertex,
                                        const std::vector<Eigen::Vector3f>& normals) const {
-  const Cone none{Eigen::Vector3f::Zero(), 0, 1};
+  Cone none{Eigen::Vector3f::Zero(), 0, 1};
   const auto around = surface_.around(vertex);
   if (around.size() > most_around) return none;
   Ring ring;
