@@ -122,26 +122,39 @@ Drawable drawable(const Plane& plane, const Moving<Sphere>& ball, std::optional<
           contact};
 }
 
-// The sweep of this run: start, contact or end, and the plane that the centre meets.
-void draw_sweep(const Studio& studio, const Drawable& drawn) {
-  const Plane& plane = drawn.plane;
-  const Moving<Sphere>& ball = drawn.ball;
-  const auto& contact = drawn.contact;
+Point foot(const Plane& plane, const Point& p) { return p - plane.signed_distance(p) * plane.normal(); }
+
+// Where the sweep of this run ends, and the piece of the plane that is drawn below it.
+struct Stage {
+  Point end;
+  Vector n;  // toward the ball
+  Point middle;
+  Vector half_u, half_v;
+};
+
+Stage stage_of(const Drawable& drawn, const View& view) {
+  const auto& [plane, ball, contact] = drawn;
   const auto& [s0, r] = ball.shape;
-  const View view{70, 24};
   const Vector n = std::copysign(1.0, plane.signed_distance(s0)) * plane.normal();
   const Point end = s0 + (contact ? contact->time : 1.0) * ball.displacement;
-  const auto foot = [&](const Point& p) { return Point(p - plane.signed_distance(p) * plane.normal()); };
+  const Point below_start = foot(plane, s0), below_end = foot(plane, end);
   const auto [u, v] = directions_in(plane, ball.displacement, view);
-  const Point middle = 0.5 * (foot(s0) + foot(end));
   const double reach =
-      std::max(0.2, 0.5 * (foot(end) - foot(s0)).norm() + 2.0 * r + 0.1 * ball.displacement.norm());
-  const Vector half_u = reach * u, half_v = 0.7 * reach * v;
+      std::max(0.2, 0.5 * (below_end - below_start).norm() + 2.0 * r + 0.1 * ball.displacement.norm());
+  return {end, n, 0.5 * (below_start + below_end), reach * u, 0.7 * reach * v};
+}
+
+// The sweep of this run: start, contact or end, and the plane that the centre meets.
+void draw_sweep(const Studio& studio, const Drawable& drawn) {
+  const auto& [plane, ball, contact] = drawn;
+  const auto& [s0, r] = ball.shape;
+  const View view{70, 24};
+  const auto [end, n, middle, half_u, half_v] = stage_of(drawn, view);
 
   figure::Scene scene(view);
   scene.patch(middle, half_u, half_v, {colour::floor, 1, false, plane_edge}, -3);
-  scene.disc(foot(s0), n, 0.85 * r, {colour::shadow, 0.6}, -2);
-  scene.disc(foot(end), n, 0.85 * r, {colour::shadow}, -1);
+  scene.disc(foot(plane, s0), n, 0.85 * r, {colour::shadow, 0.6}, -2);
+  scene.disc(foot(plane, end), n, 0.85 * r, {colour::shadow}, -1);
   scene.patch(middle + r * n, half_u, half_v, {colour::floor, 0, false, offset_edge}, 1);
   scene.sphere({s0, r});
   scene.sphere({end, r}, colour::amber, 0.5);
