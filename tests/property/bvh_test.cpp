@@ -185,6 +185,28 @@ TEST_CASE("A sphere that slides within rounding of a face is answered alike by a
   }
 }
 
+TEST_CASE("A sphere deep in a face, or hardly off it, that goes deeper or leaves, is answered alike by all") {
+  const std::uint64_t seed = GENERATE(range(1u, 300u));
+  Random random(seed);
+  for (int i = 0; i < 100; ++i) {
+    const double size = std::pow(10.0, uniform(random, -6, 6)), r = size * std::exp(uniform(random, -4, 2));
+    const Point a = vector(random, size), b = a + vector(random, size), c = a + vector(random, size);
+    const Mesh mesh({a, b, c, Point(b + c - a + vector(random, 0.3 * size))}, {{0, 1, 2}, {1, 3, 2}});
+    const Vector normal = mesh.triangle(0).area_vector().normalized();
+    const Point below = a + uniform(random, 0, 0.5) * (b - a) + uniform(random, 0, 0.5) * (c - a);
+    const double height = r * std::pow(10.0, uniform(random, -18, 0.3)) * (random() % 2 ? 1 : -1);
+    const Vector across = vector(random, size * std::pow(10.0, uniform(random, -3, 0)));
+    const Vector v = random() % 2 ? Vector(uniform(random, -1, 1) * size * normal) : across;
+    const Moving<Sphere> moving{Sphere{below + height * normal, r}, v};
+    const Bvh fast(mesh);
+    const auto expected = sweep(moving, Environment(mesh));
+    CAPTURE(seed, i, told(expected), told(sweep(moving, fast)));
+    REQUIRE(same(sweep(moving, PlainBvh(mesh)), expected));
+    REQUIRE(same(sweep(moving, fast), expected));
+    REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+  }
+}
+
 TEST_CASE("A tree of nothing is touched by nothing") {
   const Bvh fast(Mesh({}, {}));
   CHECK_FALSE(sweep(Moving<Sphere>{{{0, 0, 0}, 1}, {1, 0, 0}}, fast));

@@ -31,14 +31,16 @@ CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   if (normal.squaredNorm() < thin * longest2 * (thin * longest2)) normal = accurate_cross<double>(in, out);
 }
 
-Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {
-  // Let l be the longest side and h the height above it. A ball of radius r that lies on the edges on both
-  // sides of the triangle sags through its face by at most h^2 / 2r. The rounded normal, in turn, may be
-  // tilted by eps l / h, which costs r (eps l / h)^2 / 2. Where h^2 = 2 eps l r, the first is eps l and the
-  // second eps l / 4: with the edges for thinner triangles and the face for thicker ones, no triangle errs by
-  // more than eps l.
-  const double height = length / longest;
-  if (length > 0) largest_radius = height * height / (2 * std::numeric_limits<double>::epsilon() * longest);
+Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {}
+
+bool Facet::thin_for(double radius) const {
+  // Let l be the longest side and h = |n| / l the height above it. A ball of radius r that lies on the edges
+  // on both sides of the triangle sags through its face by at most h^2 / 2r. The rounded normal, in turn, may
+  // be tilted by eps l / h, which costs r (eps l / h)^2 / 2. Where h^2 = 2 eps l r, the first is eps l and
+  // the second eps l / 4: with the edges for thinner triangles and the face for thicker ones, no triangle
+  // errs by more than eps l.
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  return !(2 * eps * radius * (longest * longest * longest) < length * length);
 }
 
 }  // namespace first_contact

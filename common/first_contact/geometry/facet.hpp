@@ -22,15 +22,14 @@ struct Facet : CornerNormal {
   explicit Facet(const Triangle& t);
 
   /// Is the triangle too thin for its face to matter to a sphere of this radius? Then its edges answer for
-  /// it.
-  bool thin_for(double radius) const { return !(radius < largest_radius); }
+  /// it. Always so if it is degenerate.
+  bool thin_for(double radius) const;
   /// The normal, of unit length; zero if the triangle is degenerate.
   Vector unit_normal() const { return length > 0 ? Vector(normal / length) : Vector(Vector::Zero()); }
 
   /// The triangle itself.
   Triangle triangle;
-  double length;              ///< |normal|
-  double largest_radius = 0;  ///< up to here the face answers for itself; 0 if the triangle is degenerate
+  double length;  ///< |normal|
 };
 
 }  // namespace first_contact

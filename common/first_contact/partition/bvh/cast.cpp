@@ -30,8 +30,8 @@ unsigned by(double time, const Found& found) {
 
 }  // namespace
 
-Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk)
-    : parts_(surface), walker_(walk), tree_(surface.tree), verdict_(*surface.surface, moving) {
+Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker)
+    : parts_(surface), walker_(walker), tree_(surface.tree), verdict_(*surface.surface, moving) {
   const Vector& v = moving.displacement;
   question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
   near_ = surface.mesh.size() > 0 && !v.isZero(0) && walker_.begin(tree_, question_, walk_);
@@ -62,27 +62,48 @@ void Cast::consider(const Place& place, bool overlapping) {
     verdict_.consider(place, found.features, found.within);
   } else {
     if (postponed_count_ == postponed_.size()) consider_postponed();
-    postponed_[postponed_count_++] = {&place, found, earliest(found)};
+    postponed_[postponed_count_++] = {&place, earliest(found), found};
     hoped_ = std::min(hoped_, found.late);
   }
   if (found.features != 0) note_latest();
 }
 
+/// Decides about a triangle that survives. If the walk is certain about its face, no feature has to be asked.
+void Cast::decide_about(const Place& place, int lane) {
+  const bool overlapping = walk_.bound[lane] <= 0;
+  if (walk_.untouched >> lane & 1) {
+    verdict_.consider(place, 0);
+  } else if (!(walk_.touched >> lane & 1)) {
+    consider(place, overlapping);
+  } else if (overlapping || !hopeful_) {
+    verdict_.consider(place, 1, true);
+    note_latest();
+  } else {
+    if (postponed_count_ == postponed_.size()) consider_postponed();
+    Postponed& postponed = postponed_[postponed_count_++];
+    postponed.place = &place;
+    postponed.early = postponed.found.early[0] = walk_.from_time + walk_.bound[lane] * walk_.duration;
+    postponed.found.features = 1;
+    postponed.found.within = true;
+    hoped_ = std::min(hoped_, walk_.from_time + walk_.late[lane] * walk_.duration);
+  }
+}
+
 void Cast::consider_postponed() {
   const auto end = postponed_.begin() + static_cast<std::ptrdiff_t>(postponed_count_);
-  std::sort(postponed_.begin(), end,
-            [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
+  if (postponed_count_ > 1)
+    std::sort(postponed_.begin(), end,
+              [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
   std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
     verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found), p.found.within);
   });
   postponed_count_ = 0;
 }
 
-/// Decides about what was postponed. If nothing was touched by the time that was hoped for, begins once more,
-/// without hope.
-bool Cast::done() {
-  consider_postponed();
-  if (!hopeful_ || hoped_ > 1 || verdict_.latest() <= hoped_) return true;
+/// If nothing was touched by the time that was hoped for, begins once more, without hope.
+bool Cast::finish() {
+  if (postponed_count_ > 0) consider_postponed();
+  if (!near_ || !hopeful_ || hoped_ > 1 || verdict_.latest() <= hoped_) return true;
   hopeful_ = false;
   hoped_ = 2;
   verdict_.forget();
@@ -91,65 +112,48 @@ bool Cast::done() {
 }
 //! [consider]
 
-void Cast::fetch_places() const {
-  const Place* places = tree_.places + walk_.leaf->first;
-  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
-    __builtin_prefetch(&places[std::countr_zero(left)]);
-}
-
-void Cast::fetch_corners() const {
+Stage Cast::fetch_corners() const {
   const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
     for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
       __builtin_prefetch(&parts_.surface->position(vertex));
+  return Stage::corners;
 }
 
 //! [decide]
 /// The nearest first: often it makes the others too late.
-void Cast::decide() {
+void Cast::decide_leaf() {
   const Place* places = tree_.places + walk_.leaf->first;
   for (unsigned left = walk_.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
     if (walk_.bound[nearest] > walk_.latest) return;
-    consider(places[nearest], walk_.bound[nearest] <= 0);
+    decide_about(places[nearest], nearest);
     left &= ~(1U << nearest);
   }
 }
 //! [decide]
 
+Stage Cast::decide() {
+  decide_leaf();
+  return walker_.resume(walk_);
+}
+
 void Cast::run() {
   if (!near_) return;
   do
-    while (walker_.next(tree_, walk_) == Stop::survivors) {
-      fetch_corners();
-      decide();
+    while (walker_.next(tree_, walk_) == Stage::survivors) {
+      if ((walk_.survivors & (walk_.survivors - 1)) != 0) fetch_corners();
+      decide_leaf();
     }
-  while (!done());
+  while (!finish());
 }
 
-bool Cast::step() {
-  if (!near_) return false;
-  switch (awaited_) {
-    case Awaited::tree: {
-      const Stop stop = walker_.step(tree_, walk_);
-      if (stop == Stop::end) return !done();
-      if (stop == Stop::survivors) {
-        fetch_places();
-        awaited_ = Awaited::places;
-      }
-      break;
-    }
-    case Awaited::places:
-      fetch_corners();
-      awaited_ = Awaited::corners;
-      break;
-    case Awaited::corners:
-      decide();
-      awaited_ = Awaited::tree;
-  }
-  return true;
+std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh, const Walker& walker) {
+  Cast cast(moving, bvh.parts(), walker);
+  cast.run();
+  return cast.contact();
 }
 
 }  // namespace first_contact::bvh

@@ -19,37 +19,42 @@ namespace first_contact::bvh {
 /// cast, .26 and .40 for an aimed one.
 class Cast {
  public:
-  Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walk);
+  Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker);
 
   /// Goes on to the end.
   void run();
-  /// Goes on by one node or leaf. \returns whether there is more to do
-  bool step();
   std::optional<Contact> contact() const { return verdict_.contact(); }
 
+  ///@{
+  /// In turns: one small step, from the stage after which it is named. \returns the next
+  Stage begin() { return near_ ? walker_.resume(walk_) : Stage::end; }
+  Stage visit_node() { return walker_.visit_node(tree_, walk_); }
+  Stage visit_leaf() { return walker_.visit_leaf(tree_, walk_); }
+  Stage fetch_corners() const;
+  Stage decide();
+  ///@}
+  /// Decides about what was postponed. \returns false if the walk has to begin once more
+  bool finish();
+
  private:
-  void fetch_places() const;
-  void fetch_corners() const;
-  void decide();
+  void decide_leaf();
+  void decide_about(const Place& place, int lane);
   void consider(const Place& place, bool overlapping);
   void note_latest();
   void consider_postponed();
-  bool done();
 
   const Bvh::Parts& parts_;
   const Walker& walker_;
   const Tree& tree_;
   Verdict verdict_;
-  bool near_ = false;  // does the sphere come near the mesh at all?
+  bool near_;  // does the sphere come near the mesh at all?
   Question question_;
-  /// What is on its way from memory.
-  enum class Awaited { tree, places, corners } awaited_ = Awaited::tree;
 
   /// A triangle of which some features are touched, perhaps.
   struct Postponed {
     const Place* place;
-    Found found;
     double early;  // the least of its times
+    Found found;
   };
   std::array<Postponed, 24> postponed_;
   std::size_t postponed_count_ = 0;

@@ -55,10 +55,51 @@ inline Value read(const void* from) {
 }
 
 [[maybe_unused]] inline void write(float* to, Floats4 a) { __builtin_memcpy(to, &a, sizeof a); }
+[[maybe_unused]] inline void write(std::uint32_t* to, Ints a) { __builtin_memcpy(to, &a, sizeof a); }
+[[maybe_unused]] inline void write(int* to, Ints4 a) { __builtin_memcpy(to, &a, sizeof a); }
 [[maybe_unused]] inline void write(double* to, Doubles a) { __builtin_memcpy(to, &a, sizeof a); }
+
+[[maybe_unused]] inline Ints all_ints(std::uint32_t x) { return Ints{} + static_cast<std::int32_t>(x); }
+/// The lanes with a bit: all ones there, 0 elsewhere.
+[[maybe_unused]] inline Ints lanes_of(unsigned bits) {
+  return (all_ints(bits) & Ints{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
+}
+
+//! [sorted]
+/// One layer of a network that sorts: each lane becomes the larger or the smaller of itself and its partner.
+template <int... partner>
+inline Ints layer(Ints a, Ints larger) {
+  const Ints b = __builtin_shufflevector(a, a, partner...);
+  return larger ? (a > b ? a : b) : (a > b ? b : a);
+}
+/// The largest first: six layers (Batcher: Sorting Networks and Their Applications, 1968), and no jump that a
+/// processor could guess wrong.
+[[maybe_unused]] inline Ints sorted(Ints a) {
+  a = layer<1, 0, 3, 2, 5, 4, 7, 6>(a, Ints{-1, 0, 0, -1, -1, 0, 0, -1});
+  a = layer<2, 3, 0, 1, 6, 7, 4, 5>(a, Ints{-1, -1, 0, 0, 0, 0, -1, -1});
+  a = layer<1, 0, 3, 2, 5, 4, 7, 6>(a, Ints{-1, 0, -1, 0, 0, -1, 0, -1});
+  a = layer<4, 5, 6, 7, 0, 1, 2, 3>(a, Ints{-1, -1, -1, -1, 0, 0, 0, 0});
+  a = layer<2, 3, 0, 1, 6, 7, 4, 5>(a, Ints{-1, -1, 0, 0, -1, -1, 0, 0});
+  return layer<1, 0, 3, 2, 5, 4, 7, 6>(a, Ints{-1, 0, -1, 0, -1, 0, -1, 0});
+}
+/// The numbers of the lanes in `open`, that with the largest a first; after them the others. Of numbers that
+/// differ in their last three bits only, any may come first.
+[[maybe_unused]] inline Ints descending(Floats a, Ints open) {
+  const Ints pattern = (Ints)a;
+  const Ints key = pattern ^ (pattern >> 31 & 0x7fffffff);  // whole numbers in the same order
+  return sorted(((open ? key : all_ints(0x80000000u)) & ~7) | Ints{0, 1, 2, 3, 4, 5, 6, 7}) & 7;
+}
+//! [sorted]
 
 #if defined(__AVX2__)
 
+/// Each lane from the one that `from` names.
+inline Ints permute(Ints a, Ints from) {
+  return (Ints)_mm256_permutevar8x32_epi32((__m256i)a, (__m256i)from);
+}
+inline Ints bytes(const std::uint8_t* p) {
+  return (Ints)_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i*)p));
+}
 /// Not more than the root, nor less than .999 of it, unless that is less than 2^-50.
 inline Floats about_root(Floats a) {
   return a * (Floats)_mm256_rsqrt_ps((__m256)(a + all(0x1p-100f))) * all(1 - 0x1p-11f);
@@ -77,9 +118,7 @@ inline Floats root(Floats a) { return (Floats)_mm256_sqrt_ps((__m256)a); }
 inline Doubles root(Doubles a) { return (Doubles)_mm256_sqrt_pd((__m256d)a); }
 /// 1 / a to 11 bits.
 inline Floats about_one_over(Floats a) { return (Floats)_mm256_rcp_ps((__m256)a); }
-inline Floats from_bytes(const std::uint8_t* p) {
-  return (Floats)_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i*)p)));
-}
+inline Floats from_bytes(const std::uint8_t* p) { return (Floats)_mm256_cvtepi32_ps((__m256i)bytes(p)); }
 inline Floats from_signed_bytes(const std::int8_t* p) {
   return (Floats)_mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i*)p)));
 }
@@ -109,6 +148,16 @@ inline Floats pick(const Table& t, Ints n) {
 
 #else
 
+inline Ints permute(Ints a, Ints from) {
+  Ints result;
+  for (int i = 0; i < 8; ++i) result[i] = a[from[i]];
+  return result;
+}
+inline Ints bytes(const std::uint8_t* p) {
+  Ints result;
+  for (int i = 0; i < 8; ++i) result[i] = p[i];
+  return result;
+}
 inline void write(float* to, Floats a) { __builtin_memcpy(to, &a, sizeof a); }
 inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
 inline Floats most(Floats a, Floats b) { return a > b ? a : b; }

@@ -17,7 +17,8 @@ struct Bvh::Parts {
   bvh::PackedTree packed;
   std::optional<bvh::Surface> surface;
 
-  bvh::Tree tree;  ///< all this, for the walks
+  bvh::Tree tree;             ///< all this, for the walks
+  const bvh::Walker& walker;  ///< the best for the machine that runs this
 };
 
 namespace bvh {

@@ -1,6 +1,7 @@
 #include "first_contact/partition/bvh/verdict.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -52,10 +53,13 @@ void Verdict::consider(const Place& place, unsigned features, bool within_face) 
   if (features & 1)
     keep(touch_face(moving_, Facet(surface_.triangle(place)), within_face),
          {corners[0], corners[1], corners[2]}, place.number);
-  for (std::size_t slot = 0; slot < 3; ++slot)
-    if (features & 2U << slot) consider_edge(corners[slot], corners[(slot + 1) % 3]);
-  for (std::size_t slot = 0; slot < 3; ++slot)
-    if (features & 16U << slot) consider_vertex(corners[slot]);
+  for (unsigned left = features >> 1; left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    if (i < 3)
+      consider_edge(corners[i], corners[(i + 1) % 3]);
+    else
+      consider_vertex(corners[i - 3]);
+  }
 }
 
 void Verdict::forget() {
@@ -93,18 +97,25 @@ Verdict::Surroundings Verdict::surroundings(const Touch& touch, std::uint32_t fr
   const double sine = std::max(much, in_doubt / touch.distance);
   const Vector edge = position(to) - position(from);
   bool all_away = true;
-  for (const std::uint32_t at : surface_.around(from)) {
-    const Place& place = surface_.places()[at];
-    if (!has(place, to)) continue;
+  const auto leads_nearer = [&](const Place& place) {
     for (const std::uint32_t corner : place.corner) {
       if (corner == from || corner == to) continue;
       const Vector way = position(corner) - position(from);
       const double rise = touch.normal.dot(way);
       const bool clear = rise * rise > sine * sine * std::max(edge.squaredNorm(), way.squaredNorm());
-      if (clear && rise > 0 && (from == to || clearly_thick(edge, way, moving_.shape.radius)))
-        return Surroundings::lead_nearer;
+      if (clear && rise > 0 && (from == to || clearly_thick(edge, way, moving_.shape.radius))) return true;
       all_away = all_away && clear && rise < 0;
     }
+    return false;
+  };
+  // What was considered is at hand, and most often says so already.
+  for (std::size_t i = 0; i < considered_.count; ++i) {
+    const Place& place = *considered_.first[i];
+    if (has(place, from) && has(place, to) && leads_nearer(place)) return Surroundings::lead_nearer;
+  }
+  for (const std::uint32_t at : surface_.around(from)) {
+    const Place& place = surface_.places()[at];
+    if (has(place, to) && leads_nearer(place)) return Surroundings::lead_nearer;
   }
   return all_away ? Surroundings::lead_away : Surroundings::in_doubt;
 }
@@ -220,6 +231,7 @@ bool Verdict::reaches(const Place& place, double tolerance) const {
 /// it, all of them were considered.
 std::uint32_t Verdict::lowest_triangle() const {
   const double tolerance = first_->tolerance + rounding_of_distance * first_->point.cwiseAbs().maxCoeff();
+  if (considered_.count == 1) return face_;
   std::uint32_t lowest = face_;
   const auto lower = [&](const Place* place) {
     if (place->number < lowest && reaches(*place, tolerance)) lowest = place->number;

@@ -4,7 +4,7 @@
 #include "first_contact/partition/bvh/walk.inc"
 
 namespace first_contact::bvh {
-const Walker avx2_walker{begin, next, step, features_in_time};
+const Walker avx2_walker{begin, next, resume, visit_node, visit_leaf, features_in_time};
 }
 #else
 #include "first_contact/partition/bvh/walk.hpp"
