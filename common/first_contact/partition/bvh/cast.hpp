@@ -15,8 +15,8 @@ namespace first_contact::bvh {
 /// was false, where the sphere leaves what it overlaps at the start, or slides along a seam: then nothing is
 /// touched by the time that was hoped for, and the cast is done once more, each triangle decided in its turn.
 /// So hope never changes the answer. It equals deciding at once.
-/// Measured (./course bench --own --sides 707, with hope and without): .26 and .43 of the textbook for a long
-/// cast, .26 and .40 for an aimed one.
+/// Measured (./course bench --own --sides 707, with hope and without): .23 and .37 of the textbook for a long
+/// cast, .25 and .36 for an aimed one.
 class Cast {
  public:
   Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker);

@@ -16,7 +16,7 @@ namespace first_contact::bvh {
 /// surface leads nearer to the centre. It equals asking, feature by feature, what lies around it
 /// (nearest.hpp), which a sphere that leaves the ground must do for all that it overlaps and sweeps over.
 /// Measured (./course bench --own --sides 707, with cones and without): .22 and .25 of the textbook for a
-/// hop, .26 and .40 for an aimed cast.
+/// hop, .25 and .37 for an aimed cast.
 ///
 /// Why it is right. Let the normals of all triangles at a vertex v be within the angle theta of an axis n,
 /// and let each edge at v have exactly two triangles, which go along it in opposite directions. Then, seen

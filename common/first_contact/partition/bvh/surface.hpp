@@ -27,29 +27,35 @@ class Surface {
 
   /// The triangles, with their corners by their numbers here, each vertex once.
   std::span<const Place> places() const { return places_; }
-  std::size_t vertices() const { return points_.size(); }
-  const Point& position(std::uint32_t vertex) const { return points_[vertex]; }
+  std::size_t vertices() const { return vertices_.size() - 1; }
+  const Point& position(std::uint32_t vertex) const { return vertices_[vertex].position; }
   Triangle triangle(const Place& p) const {
     return {position(p.corner[0]), position(p.corner[1]), position(p.corner[2])};
   }
   /// The lowest number that the mesh has for a vertex.
-  std::uint32_t number(std::uint32_t vertex) const { return numbers_[vertex]; }
+  std::uint32_t number(std::uint32_t vertex) const { return vertices_[vertex].number; }
   /// Where the triangles at a vertex are among the places; in the order of their numbers in the mesh.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const {
-    return {around_.data() + first_[vertex], around_.data() + first_[vertex + 1]};
+    return {around_.data() + vertices_[vertex].around, around_.data() + vertices_[vertex + 1].around};
   }
   std::size_t bytes() const {
-    return sizeof(Place) * places_.size() + sizeof(Point) * points_.size() +
-           sizeof(std::uint32_t) * (numbers_.size() + first_.size() + around_.size());
+    return sizeof(Place) * places_.size() + sizeof(Vertex) * vertices_.size() +
+           sizeof(std::uint32_t) * around_.size();
   }
 
  private:
+  /// All that is asked of a vertex, in half a cache line.
+  struct alignas(32) Vertex {
+    Point position;
+    std::uint32_t number, around;  // the first of the triangles around it
+  };
+
   void number_vertices(const Mesh& mesh, const Merged& merged, const std::vector<std::uint32_t>& order);
   void gather_triangles();
 
   Block<Place> places_;
-  Block<Point> points_;
-  Block<std::uint32_t> numbers_, first_, around_;
+  Block<Vertex> vertices_;  // and one more, to end the last one's triangles
+  Block<std::uint32_t> around_;
 };
 
 }  // namespace first_contact::bvh

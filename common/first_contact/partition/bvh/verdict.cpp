@@ -169,10 +169,10 @@ void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to
 }
 
 void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
-  const auto around = surface_.around(vertex);
-  const std::uint32_t lowest = surface_.places()[around[0]].number;
   const Surroundings clear = surroundings(touch, vertex, vertex);
   if (clear == Surroundings::lead_nearer) return;
+  const auto around = surface_.around(vertex);
+  const std::uint32_t lowest = surface_.places()[around[0]].number;
   if (clear == Surroundings::lead_away) return keep(touch, {vertex, vertex, vertex}, lowest);
 
   std::vector<std::uint32_t> others;

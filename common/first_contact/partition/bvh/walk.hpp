@@ -4,10 +4,10 @@
 /// \file
 /// The way of one cast through the tree, from leaf to leaf, nearest first.
 ///
-/// The idea: floats only ever say "certainly not", eight triangles at a time; doubles decide about the few
-/// that are left. So whatever the floats round, the answer is that of the plain sweep, bit for bit, on every
-/// instruction set. A walk can pause after each node, so that many casts may take turns while their memory is
-/// on its way.
+/// The idea: floats say "certainly not", eight boxes or triangles at a time, or, of a face, "certainly so";
+/// doubles decide about the few that are left, and when exactly it is. So whatever the floats round, the
+/// answer is that of the plain sweep, bit for bit, on every instruction set. A walk can pause after each node,
+/// so that many casts may take turns while their memory is on its way.
 ///
 /// This header is read by files compiled for different instruction sets: plain data only, no functions.
 
