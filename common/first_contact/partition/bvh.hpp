@@ -22,16 +22,17 @@ namespace first_contact {
 ///
 /// | triangles | micro | hop | long | aimed |
 /// | --- | --- | --- | --- | --- |
-/// | 2,048 | .30 | .37 | .43 | .40 |
-/// | 20,000 | .24 | .31 | .39 | .40 |
-/// | 199,712 | .19 | .24 | .26 | .29 |
-/// | 999,698 | .20 | .23 | .25 | .29 |
+/// | 2,048 | .26 | .33 | .35 | .41 |
+/// | 20,000 | .25 | .29 | .34 | .39 |
+/// | 199,712 | .15 | .21 | .22 | .27 |
+/// | 999,698 | .16 | .21 | .19 | .22 |
 ///
-/// What limits it. In a small tree: to decide. A walk as good as this one that took the first time it
-/// computes for the answer would need two thirds of the time; the rest makes the answer exact and whole:
-/// point, normal, feature and triangle, the same on every machine. In a large tree also memory, for which one
-/// cast waits; many in turns take .15 to .25 at a million triangles, hardly less, since then the processor
-/// guesses their ways less well.
+/// What limits it. In a small tree: step waits for step, from the first node to the contact. A walk as good as
+/// this one that took the first time it computes for the answer would need two thirds of the time; the rest
+/// makes the answer exact and whole: point, normal, feature and triangle, the same on every machine. In a
+/// large tree also memory, for which one cast waits; many in turns take .12 to .18 at a million triangles. A
+/// cast that begins in the ground costs more than others here, where it is asked what it goes deeper into,
+/// and less in the textbook, whose answer is 0 as soon as it overlaps anything.
 class Bvh {
  public:
   /// Builds the tree, on all processors. At most 2^28 triangles.
