@@ -164,24 +164,48 @@ TEST_CASE(
   }
 }
 
+namespace {
+
+/// Two triangles at a common edge, the second bent by a part of their size; and a radius of their kind.
+struct Ridge {
+  Ridge(Random& random, double bend)
+      : size(std::pow(10.0, uniform(random, -6, 6))),
+        r(size * std::exp(uniform(random, -4, 2))),
+        a(vector(random, size)),
+        ab(vector(random, size)),
+        ac(vector(random, size)),
+        mesh({a, a + ab, a + ac, Point(a + ab + ac + vector(random, bend * size))}, {{0, 1, 2}, {1, 3, 2}}),
+        normal(mesh.triangle(0).area_vector().normalized()) {}
+
+  double size, r;
+  Point a;
+  Vector ab, ac;
+  Mesh mesh;
+  Vector normal;
+};
+
+void require_alike(const Mesh& mesh, const Moving<Sphere>& moving) {
+  const Bvh fast(mesh);
+  const auto expected = sweep(moving, Environment(mesh));
+  CAPTURE(told(expected), told(sweep(moving, fast)));
+  REQUIRE(same(sweep(moving, PlainBvh(mesh)), expected));
+  REQUIRE(same(sweep(moving, fast), expected));
+  REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+}
+
+}  // namespace
+
 TEST_CASE("A sphere that slides within rounding of a face is answered alike by all") {
   const std::uint64_t seed = GENERATE(range(1u, 300u));
   Random random(seed);
   for (int i = 0; i < 100; ++i) {
-    const double size = std::pow(10.0, uniform(random, -6, 6)), r = size * std::exp(uniform(random, -4, 2));
-    const Point a = vector(random, size), b = a + vector(random, size), c = a + vector(random, size);
-    const Mesh mesh({a, b, c, Point(b + c - a)}, {{0, 1, 2}, {1, 3, 2}});
-    const Vector normal = mesh.triangle(0).area_vector().normalized();
-    const Vector along = normal.cross(vector(random, size));
-    const Point lowest = a + uniform(random, -1, 2) * (b - a) + uniform(random, -1, 2) * (c - a);
-    const Vector tilt = std::pow(10.0, uniform(random, -17, -12)) * along.norm() * normal;
-    const Moving<Sphere> moving{Sphere{lowest + r * normal, r}, random() % 2 ? Vector(along - tilt) : along};
-    const Bvh fast(mesh);
-    const auto expected = sweep(moving, Environment(mesh));
-    CAPTURE(seed, i, told(expected), told(sweep(moving, fast)));
-    REQUIRE(same(sweep(moving, PlainBvh(mesh)), expected));
-    REQUIRE(same(sweep(moving, fast), expected));
-    REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+    const Ridge on(random, 0);
+    const Vector along = on.normal.cross(vector(random, on.size));
+    const Point lowest = on.a + uniform(random, -1, 2) * on.ab + uniform(random, -1, 2) * on.ac;
+    const Vector tilt = std::pow(10.0, uniform(random, -17, -12)) * along.norm() * on.normal;
+    CAPTURE(seed, i);
+    require_alike(on.mesh,
+                  {Sphere{lowest + on.r * on.normal, on.r}, random() % 2 ? Vector(along - tilt) : along});
   }
 }
 
@@ -189,21 +213,13 @@ TEST_CASE("A sphere deep in a face, or hardly off it, that goes deeper or leaves
   const std::uint64_t seed = GENERATE(range(1u, 300u));
   Random random(seed);
   for (int i = 0; i < 100; ++i) {
-    const double size = std::pow(10.0, uniform(random, -6, 6)), r = size * std::exp(uniform(random, -4, 2));
-    const Point a = vector(random, size), b = a + vector(random, size), c = a + vector(random, size);
-    const Mesh mesh({a, b, c, Point(b + c - a + vector(random, 0.3 * size))}, {{0, 1, 2}, {1, 3, 2}});
-    const Vector normal = mesh.triangle(0).area_vector().normalized();
-    const Point below = a + uniform(random, 0, 0.5) * (b - a) + uniform(random, 0, 0.5) * (c - a);
-    const double height = r * std::pow(10.0, uniform(random, -18, 0.3)) * (random() % 2 ? 1 : -1);
-    const Vector across = vector(random, size * std::pow(10.0, uniform(random, -3, 0)));
-    const Vector v = random() % 2 ? Vector(uniform(random, -1, 1) * size * normal) : across;
-    const Moving<Sphere> moving{Sphere{below + height * normal, r}, v};
-    const Bvh fast(mesh);
-    const auto expected = sweep(moving, Environment(mesh));
-    CAPTURE(seed, i, told(expected), told(sweep(moving, fast)));
-    REQUIRE(same(sweep(moving, PlainBvh(mesh)), expected));
-    REQUIRE(same(sweep(moving, fast), expected));
-    REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+    const Ridge on(random, 0.3);
+    const Point below = on.a + uniform(random, 0, 0.5) * on.ab + uniform(random, 0, 0.5) * on.ac;
+    const double height = on.r * std::pow(10.0, uniform(random, -18, 0.3)) * (random() % 2 ? 1 : -1);
+    const Vector across = vector(random, on.size * std::pow(10.0, uniform(random, -3, 0)));
+    const Vector v = random() % 2 ? Vector(uniform(random, -1, 1) * on.size * on.normal) : across;
+    CAPTURE(seed, i);
+    require_alike(on.mesh, {Sphere{below + height * on.normal, on.r}, v});
   }
 }
 
