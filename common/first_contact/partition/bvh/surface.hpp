@@ -18,7 +18,7 @@ namespace first_contact::bvh {
 /// MeshEdges::faces_at, from which the edges at a vertex can be had in no time: what an Environment works out
 /// beforehand for each edge and vertex, a cast needs only for the one that it touches.
 ///
-/// It takes 44 of the 70 bytes of a triangle: 16 its place, 12 its share of the vertices, 16 what lies around
+/// It takes 44 of the 70 bytes of a triangle: 16 its place, 16 its share of the vertices, 12 what lies around
 /// them.
 class Surface {
  public:
