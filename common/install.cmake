@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS first_contact_geometry EXPORT FirstContactTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(part geometry sweep partition response motion)
+foreach(part geometry mesh_io sweep trees bvh batch pairs response motion stage)
   install(DIRECTORY first_contact/${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/first_contact
           FILES_MATCHING PATTERN "*.hpp")
 endforeach()

@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include "first_contact/sweep/batch.hpp"
+#include "first_contact/batch/batch.hpp"
 
 /// Moving spheres or boxes, spread over columns of their own.
 class MovingColumns {

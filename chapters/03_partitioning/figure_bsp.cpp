@@ -3,8 +3,8 @@
 
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
-#include "first_contact/partition/ball_search.hpp"
-#include "first_contact/partition/bsp_tree.hpp"
+#include "first_contact/trees/ball_search.hpp"
+#include "first_contact/trees/bsp_tree.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;

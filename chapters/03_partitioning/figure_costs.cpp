@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "figures.hpp"
-#include "first_contact/partition/box_tree.hpp"
-#include "first_contact/partition/bsp_tree.hpp"
+#include "first_contact/trees/box_tree.hpp"
+#include "first_contact/trees/bsp_tree.hpp"
 #include "measure.hpp"
 #include "room.hpp"
 

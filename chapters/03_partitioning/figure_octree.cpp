@@ -4,7 +4,7 @@
 
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
-#include "first_contact/partition/octree.hpp"
+#include "first_contact/trees/octree.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;

@@ -3,8 +3,8 @@
 
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
-#include "first_contact/partition/bsp_tree.hpp"
-#include "first_contact/partition/soup.hpp"
+#include "first_contact/trees/bsp_tree.hpp"
+#include "first_contact/trees/soup.hpp"
 #include "grown_planes.hpp"
 
 using namespace first_contact;

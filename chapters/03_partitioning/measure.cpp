@@ -5,7 +5,7 @@
 #include <numeric>
 #include <type_traits>
 
-#include "first_contact/partition/objects.hpp"
+#include "first_contact/trees/objects.hpp"
 
 using namespace first_contact;
 

@@ -2,10 +2,10 @@
 #include <optional>
 #include <vector>
 
-#include "first_contact/partition/box_tree.hpp"
-#include "first_contact/partition/bsp_tree.hpp"
-#include "first_contact/partition/octree.hpp"
-#include "first_contact/partition/soup.hpp"
+#include "first_contact/trees/box_tree.hpp"
+#include "first_contact/trees/bsp_tree.hpp"
+#include "first_contact/trees/octree.hpp"
+#include "first_contact/trees/soup.hpp"
 #include "room.hpp"
 
 /// What one structure did for many flights.

@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "figures.hpp"
-#include "first_contact/partition/box_tree.hpp"
-#include "first_contact/partition/brute_force.hpp"
-#include "first_contact/partition/bsp_tree.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/program.hpp"
+#include "first_contact/trees/box_tree.hpp"
+#include "first_contact/trees/brute_force.hpp"
+#include "first_contact/trees/bsp_tree.hpp"
 #include "grown_planes.hpp"
 #include "measure.hpp"
 #include "room.hpp"

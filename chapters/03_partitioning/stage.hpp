@@ -1,5 +1,5 @@
 #pragma once
-#include "first_contact/partition/hit_test.hpp"
+#include "first_contact/stage/hit_test.hpp"
 
 /// Two shapes on a stage whose bounding boxes overlap although they do not, and a pointer between them.
 struct Stage {

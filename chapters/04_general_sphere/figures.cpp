@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "first_contact/figure/scene.hpp"
-#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/mesh_io/mesh_file.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "jaw.hpp"
 #include "rounded.hpp"

@@ -2,9 +2,9 @@
 #include <functional>
 #include <vector>
 
+#include "first_contact/bvh/bvh.hpp"
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
-#include "first_contact/partition/bvh.hpp"
 #include "first_contact/program/language.hpp"
 #include "first_contact/program/random.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "figures.hpp"
-#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/mesh_io/mesh_file.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "first_contact/geometry/closest_point.hpp"
-#include "first_contact/partition/box_tree.hpp"
-#include "first_contact/partition/soup.hpp"
 #include "first_contact/response/slide.hpp"
+#include "first_contact/trees/box_tree.hpp"
+#include "first_contact/trees/soup.hpp"
 
 namespace walks {
 

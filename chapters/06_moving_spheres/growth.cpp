@@ -5,7 +5,7 @@
 #include <random>
 
 #include "first_contact/geometry/bounds.hpp"
-#include "first_contact/partition/first_contacts.hpp"
+#include "first_contact/pairs/first_contacts.hpp"
 #include "first_contact/program/random.hpp"
 
 using namespace first_contact;

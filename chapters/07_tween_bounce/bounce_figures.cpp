@@ -3,7 +3,7 @@
 
 #include "figures.hpp"
 #include "first_contact/figure/animation.hpp"
-#include "first_contact/motion/stepped_bounce.hpp"
+#include "stepped_bounce.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "first_contact/motion/bounce.hpp"
-#include "first_contact/motion/printed_bounce.hpp"
 #include "first_contact/motion/tween.hpp"
+#include "printed_bounce.hpp"
 
 /// What this chapter's programs do with a bouncing ball: its flight in samples, and the paper's plan of it.
 namespace tween_bounce {

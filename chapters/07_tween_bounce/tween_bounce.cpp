@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "figures.hpp"
-#include "first_contact/motion/stepped_bounce.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
+#include "stepped_bounce.hpp"
 
 using namespace first_contact;
 using namespace first_contact::program;

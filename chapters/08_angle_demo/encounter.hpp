@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "first_contact/response/impact.hpp"
-#include "first_contact/response/printed_impact.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
+#include "printed_impact.hpp"
 
 //! [encounter]
 /// Two discs of one size, each moving straight on until they meet. The defaults are program 4's first case.

@@ -5,7 +5,7 @@ import {join} from 'node:path';
 import {build, complain, filesBelow, fromRoot, read, root} from '../tools/book.mjs';
 
 const mostAside = 0.05;  // of all lines
-const teaching = ['geometry', 'sweep', 'partition', 'response', 'motion'].map((folder) => join(root, 'common/first_contact', folder));
+const teaching = ['geometry', 'mesh_io', 'sweep', 'trees', 'bvh', 'batch', 'pairs', 'response', 'motion', 'stage'].map((folder) => join(root, 'common/first_contact', folder));
 const isCode = (file) => /\.(cpp|hpp|inc)$/.test(file);
 const tagOf = (line) => /^\s*\/\/! \[(\w+)\]$/.exec(line)?.[1];
 

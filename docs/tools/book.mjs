@@ -30,7 +30,7 @@ export const chapters = data('chapters.json').map((chapter) => ({
   page: chapter.program.replaceAll('_', '-') + '.html',
 }));
 
-/// The library; of the pages below, each with a folder shows all files of that folder.
+/// The library; of the pages below, each with folders shows all files of those folders.
 export const libraryRoot = join(root, 'common/first_contact');
 
 /// The pages that are no chapters, in the order of the contents.
@@ -38,12 +38,16 @@ export const otherPages = [
   {id: 'index', title: 'First Contact', front: true},
   {id: 'reading', title: 'How to read this', front: true},
   {id: 'library', title: 'The library, file by file', isLibrary: true},
-  {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', isLibrary: true, folder: 'geometry'},
-  {id: 'library-sweep', title: 'Sweeps, file by file', short: 'sweep', isLibrary: true, folder: 'sweep'},
-  {id: 'library-partition', title: 'Partitions, file by file', short: 'partition', isLibrary: true, folder: 'partition'},
-  {id: 'library-bvh', title: 'The fast tree, file by file', short: 'partition/bvh', isLibrary: true, folder: 'partition/bvh'},
-  {id: 'library-response', title: 'Response, file by file', short: 'response', isLibrary: true, folder: 'response'},
-  {id: 'library-motion', title: 'Motion, file by file', short: 'motion', isLibrary: true, folder: 'motion'},
+  {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', isLibrary: true, folders: ['geometry']},
+  {id: 'library-mesh-io', title: 'Meshes in files, file by file', short: 'mesh_io', isLibrary: true, folders: ['mesh_io']},
+  {id: 'library-sweep', title: 'Sweeps, file by file', short: 'sweep', isLibrary: true, folders: ['sweep']},
+  {id: 'library-trees', title: 'Trees, file by file', short: 'trees', isLibrary: true, folders: ['trees']},
+  {id: 'library-bvh', title: 'The fast tree, file by file', short: 'bvh', isLibrary: true, folders: ['bvh/build', 'bvh/kernels', 'bvh/cast', 'bvh']},
+  {id: 'library-batch', title: 'Batches, file by file', short: 'batch', isLibrary: true, folders: ['batch']},
+  {id: 'library-pairs', title: 'Pairs, file by file', short: 'pairs', isLibrary: true, folders: ['pairs']},
+  {id: 'library-response', title: 'Response, file by file', short: 'response', isLibrary: true, folders: ['response']},
+  {id: 'library-motion', title: 'Motion, file by file', short: 'motion', isLibrary: true, folders: ['motion']},
+  {id: 'library-stage', title: 'The stage, file by file', short: 'stage', isLibrary: true, folders: ['stage']},
   {id: 'papermap', title: 'Paper map'},
   {id: 'errata', title: 'Errata of the paper'},
   {id: 'glossary', title: 'Glossary 詞彙'},

@@ -29,10 +29,10 @@ export function contents(current, sections) {
     const open = page.page === current;
     const inner = open && sections.length
       ? `<ul>${sections.map(({id, title}) => `<li><a href="#${id}">${title}</a></li>`).join('')}</ul>` : '';
-    const inPart = page.id === 'library' && otherPages.some((part) => part.folder && part.page === current);
+    const inPart = page.id === 'library' && otherPages.some((part) => part.folders && part.page === current);
     if (page.id === 'library' && (open || inPart))
       return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>` +
-             list(otherPages.filter((part) => part.folder), (part) => escape(part.short)) + '</li>';
+             list(otherPages.filter((part) => part.folders), (part) => escape(part.short)) + '</li>';
     return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>${inner}</li>`;
   };
   const list = (pages, label) => `<ul>${pages.map((page) => entry(page, label(page))).join('')}</ul>`;

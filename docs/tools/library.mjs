@@ -22,12 +22,15 @@ export function filesOf(stem) {
 
 const included = (text) => [...text.matchAll(/^#include "first_contact\/([^"]+)"/gm)].map(([, file]) => file);
 
-/// Complains about files of the folder that are not on its page, and about a header that comes before one it includes.
+/// The code that a page has to show.
+const codeOf = (page) => page.folders.flatMap((folder) => codeIn(folder).map((name) => join(folder, name)));
+
+/// Complains about files of the page's folders that are not on it, and about a header that comes before one it includes.
 export function checkPage(page, shownFiles) {
-  for (const name of codeIn(page.folder))
-    if (!shownFiles.includes(join(page.folder, name)))
-      complain(`common/first_contact/${page.folder}/${name}`, `stands on no page: say in ${fromRoot(page.source)} what idea it holds, ` +
-               `and show it there with \\files ${page.folder}/${name.replace(/\.\w+$/, '')}`);
+  for (const file of codeOf(page))
+    if (!shownFiles.includes(file))
+      complain(`common/first_contact/${file}`, `stands on no page: say in ${fromRoot(page.source)} what idea it holds, ` +
+               `and show it there with \\files ${file.replace(/\.\w+$/, '')}`);
   shownFiles.forEach((file, i) => {
     if (!file.endsWith('.hpp')) return;
     for (const other of included(read(libraryRoot, file)))
@@ -73,9 +76,9 @@ const firstParagraph = (page) => read(page.source).split('\n\n')[1].replaceAll('
 
 /// The table of the folders on the library's own page. \param says  makes the first sentences of a page HTML
 export function libraryTable(says) {
-  const rows = otherPages.filter(({folder}) => folder).map((page) => {
-    const files = codeIn(page.folder);
-    const lines = files.reduce((sum, name) => sum + read(libraryRoot, page.folder, name).trimEnd().split('\n').length, 0);
+  const rows = otherPages.filter(({folders}) => folders).map((page) => {
+    const files = codeOf(page);
+    const lines = files.reduce((sum, name) => sum + read(libraryRoot, name).trimEnd().split('\n').length, 0);
     return `<div><dt><a href="${page.page}">${escape(page.short)}</a></dt><dd>${says(firstParagraph(page))} <small>${files.length} files, ` +
            `${lines.toLocaleString('en')} lines</small></dd></div>`;
   });

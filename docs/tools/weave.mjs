@@ -170,7 +170,7 @@ class Page {
     }
     shown.snippets.push({file: fromRoot(place), tag, page: this.id});
     const command = tag ? `\\snippet ${file} ${tag}` : `\\include ${file}`;
-    const ownPage = otherPages.find((page) => page.folder && dirname(file) === `first_contact/${page.folder}`);
+    const ownPage = otherPages.find((page) => page.folders?.some((folder) => dirname(file) === `first_contact/${folder}`));
     const anchor = `file-${basename(file).replaceAll('.', '-')}`, path = shownPath(fromRoot(place));
     if (!folded)
       return blockToken(`<div class="where">${ownPage ? `<a href="${ownPage.page}#${anchor}">${path}</a>` : path}</div>`) + command + '\n\n';
@@ -243,7 +243,7 @@ class Page {
 export const prose = (text, file) => new Page(file, join(docs, 'pages', file), null, text).asHtml(text, 0);
 
 /// One page for Doxygen. \param head  its title, and the HTML that follows it; \param foot  the HTML at its end
-export function weave({id, source, chapter, title, folder, head = '', foot = '', generated = {}}) {
+export function weave({id, source, chapter, title, folders, head = '', foot = '', generated = {}}) {
   const page = new Page(id, source, chapter);
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
@@ -253,6 +253,6 @@ export function weave({id, source, chapter, title, folder, head = '', foot = '',
   page.text = page.text.replace(/^# .+\n/, '\n');
   const label = id === 'index' ? '{#mainpage}' : `{#${id.replaceAll('_', '-')}}`;
   const body = page.body();
-  if (folder) checkPage({folder, source}, page.filesShown);
+  if (folders) checkPage({folders, source}, page.filesShown);
   return `# ${title} ${label}\n${head && blockToken(head)}\n${body}\n${foot && blockToken(foot)}\n`;
 }

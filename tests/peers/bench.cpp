@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <map>
 
+#include "first_contact/bvh/bvh.hpp"
 #include "first_contact/figure/figure.hpp"
-#include "first_contact/partition/bvh.hpp"
 #include "peers/scenes.hpp"
 #include "peers/truth_of.hpp"
 #include "peers/ways.hpp"

@@ -1,4 +1,4 @@
-#include "first_contact/partition/bvh/parts.hpp"
+#include "first_contact/bvh/cast/parts.hpp"
 #include "peers/ways.hpp"
 #include "peers/yardstick.hpp"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "first_contact/partition/first_contacts.hpp"
-#include "first_contact/sweep/batch.hpp"
+#include "first_contact/batch/batch.hpp"
+#include "first_contact/pairs/first_contacts.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"

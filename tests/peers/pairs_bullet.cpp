@@ -6,8 +6,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include "first_contact/batch/batch.hpp"
 #include "first_contact/geometry/bounds.hpp"
-#include "first_contact/sweep/batch.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "peers/pairs.hpp"
 

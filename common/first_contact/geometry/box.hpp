@@ -21,7 +21,7 @@ struct Box {
 
   /// The largest cosine between two axes that still counts as perpendicular: half a unit of the seventh
   /// digit, which is what axes typed with seven digits have.
-  /// \see tests/unit/box_test.cpp
+  /// \see tests/unit/box.cpp
   static constexpr double perpendicular_tolerance = 5e-7;
 
   Point center;  ///< Q

@@ -13,7 +13,7 @@ namespace {
 /// The rounding of a cross product turns the normal by up to eps l / h, also along the triangle: over its
 /// length l the plane then leaves the triangle by eps l^2 / h. Where that is more than 16 eps l, it is
 /// worked out with more care.
-/// \see tests/oracle/verify_test.cpp
+/// \see tests/oracle/verify.cpp
 constexpr double thin = 1 / 16.0;
 
 }  // namespace

@@ -47,7 +47,7 @@ class MeshEdges {
   /// The normals of two faces in one plane differ by no more than their own rounding, which is at most this
   /// times l / h for a triangle with longest side l and height h: the cross product of two sides is wrong by
   /// less than 8 eps of the product of their lengths, and this is twice as much.
-  /// \see tests/unit/mesh_edges_test.cpp
+  /// \see tests/unit/mesh_edges.cpp
   static constexpr double flat_tolerance = 16 * std::numeric_limits<double>::epsilon();
 
   /// Finds all edges, in O(n log n).

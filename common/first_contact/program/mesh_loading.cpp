@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "first_contact/geometry/mesh_file.hpp"
+#include "first_contact/mesh_io/mesh_file.hpp"
 
 namespace first_contact::program {
 

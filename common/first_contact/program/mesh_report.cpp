@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "first_contact/geometry/mesh_defects.hpp"
+#include "first_contact/mesh_io/mesh_defects.hpp"
 
 namespace first_contact::program {
 

@@ -49,12 +49,12 @@ using SphereSweep = std::function<std::optional<Contact>(const Moving<Sphere>&)>
 /// product (P2 - Q).N, as much for N.V in the next sweep, 2 for the length of N and 1 for the rounding of V,
 /// times sqrt(3), by which the length of V may exceed its largest coordinate. It is little enough not to be
 /// seen, and to add up to nothing, as it is kept, not added, at each contact.
-/// \see tests/property/slide_mesh_test.cpp
+/// \see tests/property/slide_mesh.cpp
 inline constexpr double slide_gap = 16 * std::numeric_limits<double>::epsilon();
 
 /// Two normals at a smaller angle (in radians) are of one wall: their cross product, the crease, has lost
 /// half of its digits, being known to eps / angle.
-/// \see tests/unit/slide_test.cpp
+/// \see tests/unit/slide.cpp
 inline constexpr double slide_same_wall = 0x1p-26;
 
 /// Moves a sphere and lets it slide along whatever it meets, wall after wall. At each contact

@@ -20,7 +20,7 @@ bool overlap(const Box& box, const Plane& plane);
 ///
 /// Error of t: at most 8 eps (|Q0| + |D| + 1/2 (|R| + |S| + |T|) + t |V|) / |N.V|.
 ///
-/// \see tests/oracle/box_plane_test.cpp
+/// \see tests/oracle/box_plane.cpp
 std::optional<Contact> sweep(const Moving<Box>& moving, const Plane& plane);
 
 /// The vertices of the box that reach farthest against a unit vector: 1, 2 or 4, one a column (paper, 1.3).
@@ -34,7 +34,7 @@ ContactPoints lowest_vertices(const Box& box, const Vector& normal);
 /// never found standing on a corner, and the ends of an axis that counts as parallel are level to within
 /// rounding.
 ///
-/// \see tests/unit/box_plane_test.cpp
+/// \see tests/unit/box_plane.cpp
 inline constexpr double parallel_tolerance = 32 * std::numeric_limits<double>::epsilon();
 
 }  // namespace first_contact

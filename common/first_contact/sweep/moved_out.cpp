@@ -31,7 +31,7 @@ constexpr double rounding_of_graze = 8.0 / 16;
 /// which is the affair of the edges. Since rounding turns the normal so little, the true sine is then below
 /// 20 eps, and the path cannot lead from 16 eps L before the plane to 16 eps L behind it: no point gets
 /// through.
-/// \see tests/oracle/verify_test.cpp
+/// \see tests/oracle/verify.cpp
 constexpr double within_plane = rounding_of_distance;
 
 /// Does the path of a point, or a line through it, meet the face? The point is `low` below the centre.

@@ -30,7 +30,7 @@ struct Touch {
 /// edge is the worst: a difference, a cross product, the closest approach and the root add up to less than 8
 /// eps of that. This is twice as much: what is wrong by 8 eps must be taken for a touch, and may in truth be
 /// wrong by 8 eps more.
-/// \see tests/oracle/sphere_triangle_oracle_test.cpp, tests/oracle/verify_test.cpp
+/// \see tests/oracle/sphere_triangle.cpp, tests/oracle/verify.cpp
 inline constexpr double rounding_of_distance = 16 * std::numeric_limits<double>::epsilon();
 
 /// The centre meets the face moved out by r, on the side where it starts: t = -(E'.S0) / (N.V), if it arrives

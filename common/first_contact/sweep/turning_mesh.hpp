@@ -37,7 +37,7 @@ struct Turning {
 /// distance, 16 eps or so, and it sets the price of a near miss: a part that goes by at a distance just above
 /// it takes some 1 / sqrt(2^-24) = 4096 steps. A step turns by that part of a radian at the least, so the
 /// search ends.
-/// \see tests/unit/turning_mesh_test.cpp
+/// \see tests/unit/turning_mesh.cpp
 inline constexpr double turning_gap = 0x1p-24;
 
 /// The first contact of a mesh that turns, found by conservative advancement: when two triangles are d apart

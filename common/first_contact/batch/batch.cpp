@@ -1,0 +1,109 @@
+#include "first_contact/batch/batch.hpp"
+
+#include <initializer_list>
+#include <sstream>
+#include <stdexcept>
+
+#include "first_contact/batch/batch_loops.hpp"
+
+namespace first_contact {
+
+namespace {
+
+void require_equal(std::size_t length, std::size_t count, const char* what) {
+  if (length == count) return;
+  std::ostringstream message;
+  message << what << " of length " << length << ": must be of length " << count << ", as the others";
+  throw std::invalid_argument(message.str());
+}
+
+void require_equal(const Columns& columns, std::size_t count, const char* what) {
+  for (const auto& column : columns) require_equal(column.size(), count, what);
+}
+
+Vector at(const Columns& columns, std::size_t i) { return {columns[0][i], columns[1][i], columns[2][i]}; }
+
+batch::Vectors flat(const Columns& columns) {
+  return {columns[0].data(), columns[1].data(), columns[2].data()};
+}
+batch::Spheres flat(const MovingSpheres& all) {
+  return {flat(all.center()), all.radius().data(), flat(all.displacement())};
+}
+batch::Boxes flat(const MovingBoxes& all) {
+  const auto& [r, s, t] = all.axes();
+  return {flat(all.center()), flat(r), flat(s), flat(t), flat(all.displacement())};
+}
+batch::FlatPlane flat(const Plane& plane) {
+  const Vector n = plane.normal();
+  return {n.x(), n.y(), n.z(), plane.offset()};
+}
+
+}  // namespace
+
+MovingSpheres::MovingSpheres(const Columns& center, std::span<const double> radius,
+                             const Columns& displacement)
+    : center_(center), radius_(radius), displacement_(displacement) {
+  require_equal(center_, size(), "column of the spheres' centres");
+  require_equal(displacement_, size(), "column of the spheres' displacements");
+  for (std::size_t i = 0; i < size(); ++i)
+    (*this)[i];  // makes each of them, and so refuses what must be refused
+}
+
+Moving<Sphere> MovingSpheres::operator[](std::size_t i) const {
+  return {{at(center_, i), radius_[i]}, at(displacement_, i)};
+}
+
+MovingBoxes::MovingBoxes(const Columns& center, const std::array<Columns, 3>& axes,
+                         const Columns& displacement)
+    : center_(center), axes_(axes), displacement_(displacement) {
+  require_equal(center_, size(), "column of the boxes' centres");
+  for (const Columns& axis : axes_) require_equal(axis, size(), "column of the boxes' axes");
+  require_equal(displacement_, size(), "column of the boxes' displacements");
+  for (std::size_t i = 0; i < size(); ++i) (*this)[i];
+}
+
+Moving<Box> MovingBoxes::operator[](std::size_t i) const {
+  const auto& [r, s, t] = axes_;
+  return {{at(center_, i), at(r, i), at(s, i), at(t, i)}, at(displacement_, i)};
+}
+
+namespace batch {
+
+bool can_run(const Loops& loops) {
+  if (loops.sphere_sphere == nullptr) return false;
+#if defined(__x86_64__) || defined(__i386__)
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (&loops == &avx2_loops) return avx2;
+  if (&loops == &avx512_loops) return avx2 && __builtin_cpu_supports("avx512f");
+#endif
+  return true;
+}
+
+const Loops& best_loops() {
+  static const Loops& best = can_run(avx512_loops) ? avx512_loops
+                             : can_run(avx2_loops) ? avx2_loops
+                                                   : portable_loops;
+  return best;
+}
+
+}  // namespace batch
+
+//! [sweep_batch]
+void sweep(const MovingSpheres& p, const MovingSpheres& q, std::span<double> times) {
+  require_equal(q.size(), p.size(), "batch of spheres q");
+  require_equal(times.size(), p.size(), "span of times");
+  batch::best_loops().sphere_sphere(flat(p), flat(q), times.size(), times.data());
+}
+
+void sweep(const MovingSpheres& spheres, const Plane& plane, std::span<double> times) {
+  require_equal(times.size(), spheres.size(), "span of times");
+  batch::best_loops().sphere_plane(flat(spheres), flat(plane), times.size(), times.data());
+}
+
+void sweep(const MovingBoxes& boxes, const Plane& plane, std::span<double> times) {
+  require_equal(times.size(), boxes.size(), "span of times");
+  batch::best_loops().box_plane(flat(boxes), flat(plane), times.size(), times.data());
+}
+//! [sweep_batch]
+
+}  // namespace first_contact

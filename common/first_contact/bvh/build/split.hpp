@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "first_contact/bvh/build/merged.hpp"
+#include "first_contact/bvh/build/space.hpp"
+
+namespace first_contact::bvh {
+
+/// Three floats and one to spare: one register on any machine with vectors, four floats on others.
+using Floats4 __attribute__((vector_size(16))) = float;
+
+/// A node of the binary tree, from which the wide one is made.
+struct Branch {
+  Floats4 low, high;           ///< its box, in the tree's unit, to the rounding of a float
+  std::uint32_t first, count;  ///< its triangles have these places in the order of the tree
+  std::uint32_t children;      ///< they are children and children + 1; 0 for a leaf
+  bool leaf() const { return children == 0; }
+};
+
+/// The binary tree, the root first, each child after its parent.
+struct BinaryTree {
+  std::vector<Branch> branches;
+  std::vector<std::uint32_t> order;  ///< the numbers of the triangles, those of a leaf together
+};
+
+/// Cuts the mesh in two, and the parts again, until no part has more than 8 triangles and 16 vertices.
+///
+/// The idea: a cut is good if few casts must look at both sides. The chance that a path that meets a box
+/// meets a box inside it is the ratio of their surfaces, so the cost of a cut is the sum of surface times
+/// work (the surface area heuristic; Goldsmith and Salmon 1987). Only the cuts between 16 bins along each
+/// axis are looked at, or between 8 for a few triangles (Wald 2007), and work is counted in leaves of eight.
+/// It equals the cuts of the plain tree, which always has 16 bins and counts single triangles.
+BinaryTree split(const Mesh& mesh, const Space& space, const Merged& merged);
+
+}  // namespace first_contact::bvh

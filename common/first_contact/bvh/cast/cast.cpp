@@ -1,0 +1,159 @@
+#include "first_contact/bvh/cast/cast.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace first_contact::bvh {
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Calls visit(feature) for each feature that was found.
+template <class Visit>
+void each_feature(const Found& found, const Visit& visit) {
+  for (unsigned left = found.features; left != 0; left &= left - 1) visit(std::countr_zero(left));
+}
+double earliest(const Found& found) {
+  double early = 2;
+  each_feature(found, [&](int i) { early = std::min(early, found.early[i]); });
+  return early;
+}
+/// The features that may be touched by a time.
+unsigned by(double time, const Found& found) {
+  unsigned features = 0;
+  each_feature(found, [&](int i) { features |= found.early[i] <= time ? 1U << i : 0U; });
+  return features;
+}
+
+}  // namespace
+
+Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker)
+    : parts_(surface), walker_(walker), tree_(surface.tree), verdict_(*surface.surface, moving) {
+  const Vector& v = moving.displacement;
+  question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
+  near_ = surface.mesh.size() > 0 && !v.isZero(0) && walker_.begin(tree_, question_, walk_);
+}
+
+void Cast::note_latest() {
+  const double latest = std::min(verdict_.latest(), hoped_);
+  if (latest > 1) return;
+  if (verdict_.depth() > 0) {
+    const double depth = parts_.space.length(verdict_.depth());
+    walk_.latest = static_cast<float>(walk_.radius * 0x1p-22 - depth);
+    return;
+  }
+  const double tau = (latest - walk_.from_time + 4 * eps) / walk_.duration;
+  if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
+}
+
+//! [consider]
+/// What may be touched at the start is decided at once: of it one may yet get free.
+void Cast::consider(const Place& place, bool overlapping) {
+  const Surface& surface = *parts_.surface;
+  const auto& [a, b, c] = place.corner;
+  const double latest = std::min({verdict_.latest(), hoped_, 1.0});
+  const Found found =
+      walker_.features_in_time(question_, surface.position(a).data(), surface.position(b).data(),
+                               surface.position(c).data(), latest, overlapping);
+  if (overlapping || !hopeful_ || found.features == 0) {
+    verdict_.consider(place, found.features, found.within);
+  } else {
+    if (postponed_count_ == postponed_.size()) consider_postponed();
+    postponed_[postponed_count_++] = {&place, earliest(found), found};
+    hoped_ = std::min(hoped_, found.late);
+  }
+  if (found.features != 0) note_latest();
+}
+
+/// Decides about a triangle that survives. If the walk is certain about its face, no feature has to be asked.
+void Cast::decide_about(const Place& place, int lane) {
+  const bool overlapping = walk_.bound[lane] <= 0;
+  if (walk_.untouched >> lane & 1) {
+    verdict_.consider(place, 0);
+  } else if (!(walk_.touched >> lane & 1)) {
+    consider(place, overlapping);
+  } else if (overlapping || !hopeful_) {
+    verdict_.consider(place, 1, true);
+    note_latest();
+  } else {
+    if (postponed_count_ == postponed_.size()) consider_postponed();
+    Postponed& postponed = postponed_[postponed_count_++];
+    postponed.place = &place;
+    postponed.early = postponed.found.early[0] = walk_.from_time + walk_.bound[lane] * walk_.duration;
+    postponed.found.features = 1;
+    postponed.found.within = true;
+    hoped_ = std::min(hoped_, walk_.from_time + walk_.late[lane] * walk_.duration);
+  }
+}
+
+void Cast::consider_postponed() {
+  const auto end = postponed_.begin() + static_cast<std::ptrdiff_t>(postponed_count_);
+  if (postponed_count_ > 1)
+    std::sort(postponed_.begin(), end,
+              [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
+  std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
+    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found), p.found.within);
+  });
+  postponed_count_ = 0;
+}
+
+/// If nothing was touched by the time that was hoped for, begins once more, without hope.
+bool Cast::finish() {
+  if (postponed_count_ > 0) consider_postponed();
+  if (!near_ || !hopeful_ || hoped_ > 1 || verdict_.latest() <= hoped_) return true;
+  hopeful_ = false;
+  hoped_ = 2;
+  verdict_.forget();
+  walker_.begin(tree_, question_, walk_);
+  return false;
+}
+//! [consider]
+
+Stage Cast::fetch_corners() const {
+  const Place* places = tree_.places + walk_.leaf->first;
+  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
+    for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
+      __builtin_prefetch(&parts_.surface->position(vertex));
+  return Stage::corners;
+}
+
+//! [decide]
+/// The nearest first: often it makes the others too late.
+void Cast::decide_leaf() {
+  const Place* places = tree_.places + walk_.leaf->first;
+  for (unsigned left = walk_.survivors; left != 0;) {
+    int nearest = std::countr_zero(left);
+    for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
+      if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
+    if (walk_.bound[nearest] > walk_.latest) return;
+    decide_about(places[nearest], nearest);
+    left &= ~(1U << nearest);
+  }
+}
+//! [decide]
+
+Stage Cast::decide() {
+  decide_leaf();
+  return walker_.resume(walk_);
+}
+
+void Cast::run() {
+  if (!near_) return;
+  do
+    while (walker_.next(tree_, walk_) == Stage::survivors) {
+      if ((walk_.survivors & (walk_.survivors - 1)) != 0) fetch_corners();
+      decide_leaf();
+    }
+  while (!finish());
+}
+
+std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh, const Walker& walker) {
+  Cast cast(moving, bvh.parts(), walker);
+  cast.run();
+  return cast.contact();
+}
+
+}  // namespace first_contact::bvh

@@ -1,0 +1,66 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "first_contact/bvh/cast/parts.hpp"
+#include "first_contact/bvh/cast/verdict.hpp"
+
+namespace first_contact::bvh {
+
+/// One cast: a walk, which excludes, and a verdict, which decides.
+///
+/// The idea: what is to be decided can wait. Of each triangle that the walk leaves over it is enough to know
+/// when the sphere comes to touch it, to a millionth; the walk may stop where one is touched for certain, and
+/// only what is touched at the very end is worth the long tests of the verdict. They may show that this hope
+/// was false, where the sphere leaves what it overlaps at the start, or slides along a seam: then nothing is
+/// touched by the time that was hoped for, and the cast is done once more, each triangle decided in its turn.
+/// So hope never changes the answer. It equals deciding at once.
+/// Measured (./course bench --own --sides 707, with hope and without): .23 and .37 of the textbook for a long
+/// cast, .25 and .36 for an aimed one.
+class Cast {
+ public:
+  Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker);
+
+  /// Goes on to the end.
+  void run();
+  std::optional<Contact> contact() const { return verdict_.contact(); }
+
+  ///@{
+  /// In turns: one small step, from the stage after which it is named. \returns the next
+  Stage begin() { return near_ ? walker_.resume(walk_) : Stage::end; }
+  Stage visit_node() { return walker_.visit_node(tree_, walk_); }
+  Stage visit_leaf() { return walker_.visit_leaf(tree_, walk_); }
+  Stage fetch_corners() const;
+  Stage decide();
+  ///@}
+  /// Decides about what was postponed. \returns false if the walk has to begin once more
+  bool finish();
+
+ private:
+  void decide_leaf();
+  void decide_about(const Place& place, int lane);
+  void consider(const Place& place, bool overlapping);
+  void note_latest();
+  void consider_postponed();
+
+  const Bvh::Parts& parts_;
+  const Walker& walker_;
+  const Tree& tree_;
+  Verdict verdict_;
+  bool near_;  // does the sphere come near the mesh at all?
+  Question question_;
+
+  /// A triangle of which some features are touched, perhaps.
+  struct Postponed {
+    const Place* place;
+    double early;  // the least of its times
+    Found found;
+  };
+  std::array<Postponed, 24> postponed_;
+  std::size_t postponed_count_ = 0;
+  bool hopeful_ = true;
+  double hoped_ = 2;  // by then something is touched, as far as can be seen
+  Walk walk_;
+};
+
+}  // namespace first_contact::bvh

@@ -1,0 +1,73 @@
+#include "first_contact/mesh_io/mesh_defects.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace first_contact {
+namespace {
+
+using Index = std::uint32_t;
+
+// For each vertex one number that all vertices at its position have in common.
+std::vector<Index> positions_of(const Mesh& mesh) {
+  const auto& vertices = mesh.vertices();
+  const auto key = [&](Index i) { return std::tuple(vertices[i].x(), vertices[i].y(), vertices[i].z()); };
+  std::vector<Index> order(vertices.size()), position(vertices.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return key(i) < key(j); });
+  for (std::size_t k = 0; k < order.size(); ++k)
+    position[order[k]] = k > 0 && key(order[k]) == key(order[k - 1]) ? position[order[k - 1]] : order[k];
+  return position;
+}
+
+bool is_degenerate(const Triangle& t) {
+  const double sides = (t.b - t.a).stableNorm() * (t.c - t.a).stableNorm();
+  return !(t.area_vector().stableNorm() > degenerate_tolerance * sides);
+}
+
+std::size_t count_non_manifold(const std::vector<Mesh::Face>& faces) {
+  std::vector<std::pair<Index, Index>> sides;
+  sides.reserve(3 * faces.size());
+  for (const auto& [a, b, c] : faces)  // their corners are in order
+    sides.insert(sides.end(), {{a, b}, {b, c}, {a, c}});
+  std::sort(sides.begin(), sides.end());
+  std::size_t count = 0;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(first, sides.end(), [&](const auto& side) { return side != *first; });
+    count += last - first >= 3;
+    first = last;
+  }
+  return count;
+}
+
+}  // namespace
+
+//! [diagnose]
+MeshDefects diagnose(const Mesh& mesh) {
+  const std::vector<Index> position = positions_of(mesh);
+  MeshDefects defects;
+  std::vector<Mesh::Face> sound;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    auto [a, b, c] = mesh.faces()[i];
+    Mesh::Face face{position[a], position[b], position[c]};
+    std::sort(face.begin(), face.end());
+    if (is_degenerate(mesh.triangle(i)))
+      ++defects.degenerate;
+    else
+      sound.push_back(face);
+  }
+  std::sort(sound.begin(), sound.end());
+  const auto end = std::unique(sound.begin(), sound.end());
+  defects.duplicate = static_cast<std::size_t>(sound.end() - end);
+  sound.erase(end, sound.end());
+  defects.non_manifold = count_non_manifold(sound);
+  return defects;
+}
+//! [diagnose]
+
+}  // namespace first_contact

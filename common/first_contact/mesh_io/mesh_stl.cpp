@@ -1,0 +1,97 @@
+#include <bit>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "first_contact/mesh_io/mesh_formats.hpp"
+
+namespace first_contact {
+namespace {
+
+// STL repeats each corner in every triangle: equal positions become one vertex.
+class Welder {
+ public:
+  std::uint32_t number_of(const Point& p) {
+    const auto [found, is_new] = numbers_.try_emplace({p.x(), p.y(), p.z()}, vertices.size());
+    if (is_new) vertices.push_back(p);
+    return static_cast<std::uint32_t>(found->second);
+  }
+
+  std::vector<Point> vertices;
+
+ private:
+  std::map<std::tuple<double, double, double>, std::size_t> numbers_;
+};
+
+// The lines facet, outer loop, vertex (three), endloop, endfacet, between solid and endsolid. The normal of a
+// facet is not read: it follows from the corners.
+Mesh read_text(const MeshBytes& file) {
+  Welder welder;
+  std::vector<Mesh::Face> faces;
+  std::vector<std::uint32_t> corners;
+  bool open = false;  // between solid and endsolid
+  TextLines lines(file);
+  while (lines.next()) {
+    const std::string_view word = lines.words()[0];
+    if (open == (word == "solid")) lines.refuse("solid and endsolid must alternate");
+    if (word == "vertex") {
+      corners.push_back(welder.number_of(lines.point(1)));
+    } else if (word == "endloop") {
+      if (corners.size() != 3) lines.refuse("a facet must have 3 vertices");
+      faces.push_back({corners[0], corners[1], corners[2]});
+      corners.clear();
+    } else if (word == "solid" || word == "endsolid") {
+      open = word == "solid";
+    } else if (word != "facet" && word != "outer" && word != "endfacet") {
+      lines.refuse("\"" + std::string(word) + "\": must be a line of an STL file");
+    }
+    if (!open && !corners.empty()) lines.refuse("the last facet is not complete");
+  }
+  if (open) lines.refuse("the file ends early: endsolid is missing");
+  return {std::move(welder.vertices), std::move(faces)};
+}
+
+std::uint32_t word_at(const MeshBytes& file, std::size_t byte) {  // little-endian
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(file.bytes[byte + i]);
+  return value;
+}
+
+Point point_at(const MeshBytes& file, std::size_t byte) {
+  Point p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = std::bit_cast<float>(word_at(file, byte + 4 * i));
+    if (!std::isfinite(value)) file.refuse_byte(byte + 4 * i, "must be a finite number");
+    p[static_cast<Eigen::Index>(i)] = value;
+  }
+  return p;
+}
+
+// 80 bytes of any kind, the count, and for each triangle 50 bytes: its normal, three corners, two bytes more.
+Mesh read_binary(const MeshBytes& file) {
+  constexpr std::size_t header = 84, record = 50;
+  if (file.bytes.size() < header)
+    file.refuse_byte(file.bytes.size(), "the file ends early: STL has 84 bytes of header");
+  const std::size_t count = word_at(file, 80), have = file.bytes.size() - header;
+  if (have != record * count)
+    file.refuse_byte(80, std::to_string(count) + " triangles need " + std::to_string(record * count) +
+                             " bytes after the header, not " + std::to_string(have));
+  Welder welder;
+  std::vector<Mesh::Face> faces;
+  for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record) {
+    file.reached(byte);
+    faces.push_back({welder.number_of(point_at(file, byte)), welder.number_of(point_at(file, byte + 12)),
+                     welder.number_of(point_at(file, byte + 24))});
+  }
+  return {std::move(welder.vertices), std::move(faces)};
+}
+
+}  // namespace
+
+Mesh read_stl(const MeshBytes& file) {
+  // Binary files, too, may begin with "solid"; but theirs is the byte 0, in the count at the latest.
+  const bool is_text = file.bytes.starts_with("solid") && file.bytes.find('\0') == std::string::npos;
+  return is_text ? read_text(file) : read_binary(file);
+}
+
+}  // namespace first_contact

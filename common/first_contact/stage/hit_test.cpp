@@ -1,0 +1,109 @@
+#include "first_contact/stage/hit_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace first_contact {
+
+namespace {
+
+struct Side {
+  Point2 from, to;
+};
+
+std::vector<Side> sides_of(const StageObject& object) {
+  std::vector<Side> sides;
+  const auto& outline = object.outline();
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    sides.push_back({outline[i], outline[(i + 1) % outline.size()]});
+  return sides;
+}
+
+// How far from this side a point counts as on it.
+double rounding(const Side& side, const Point2& p) {
+  return boundary_tolerance *
+         std::max({side.from.cwiseAbs().maxCoeff(), side.to.cwiseAbs().maxCoeff(), p.cwiseAbs().maxCoeff()});
+}
+
+// Left of the side, seen along it: 1; right of it: -1; on its line, up to rounding: 0.
+int turn(const Side& side, const Point2& p) {
+  const Point2 along = side.to - side.from, m = p - side.from;
+  const double cross = along.x() * m.y() - along.y() * m.x();  // |along| times the distance from the line
+  return std::abs(cross) <= rounding(side, p) * along.lpNorm<1>() ? 0 : cross > 0 ? 1 : -1;
+}
+
+bool on(const Side& side, const Point2& p) {
+  if (turn(side, p) != 0) return false;
+  const Point2 margin = Point2::Constant(rounding(side, p));
+  return Rectangle(side.from.cwiseMin(side.to) - margin, side.from.cwiseMax(side.to) + margin).contains(p);
+}
+
+// Does the ray from p to the right cross a side that p is not on? Of the side's two ends the upper one does
+// not count, so that a ray through a corner crosses once, or twice, or not at all, as it should.
+bool ray_crosses(const Side& side, const Point2& p) {
+  const bool upward = side.from.y() <= p.y() && p.y() < side.to.y();
+  const bool downward = side.to.y() <= p.y() && p.y() < side.from.y();
+  if (!upward && !downward) return false;
+  if (p.x() < std::min(side.from.x(), side.to.x())) return true;
+  if (p.x() > std::max(side.from.x(), side.to.x())) return false;
+  return turn(side, p) == (upward ? 1 : -1);
+}
+
+bool meet(const Side& a, const Side& b) {
+  if (on(a, b.from) || on(a, b.to) || on(b, a.from) || on(b, a.to)) return true;
+  return turn(a, b.from) * turn(a, b.to) < 0 && turn(b, a.from) * turn(b, a.to) < 0;
+}
+
+}  // namespace
+
+StageObject::StageObject(std::span<const Point2> outline, const Eigen::Affine2d& to_stage) {
+  for (const Point2& corner : outline) {
+    outline_.emplace_back(to_stage * corner);
+    box_.extend(outline_.back());
+    if (outline_.back().allFinite()) continue;
+    std::ostringstream message;
+    message << "outline's corner " << corner.x() << ", " << corner.y() << ": must be finite on the stage";
+    throw std::invalid_argument(message.str());
+  }
+}
+
+//! [hit_test_point]
+bool hit_test_point(const StageObject& object, const Point2& on_stage, bool shape_flag) {
+  if (!object.bounding_box().contains(on_stage)) return false;
+  if (!shape_flag) return true;
+  bool inside = false;
+  for (const Side& side : sides_of(object)) {
+    if (on(side, on_stage)) return true;
+    if (ray_crosses(side, on_stage)) inside = !inside;
+  }
+  return inside;
+}
+//! [hit_test_point]
+
+//! [hit_test_object]
+bool hit_test_object(const StageObject& a, const StageObject& b) {
+  return a.bounding_box().intersects(b.bounding_box());
+}
+//! [hit_test_object]
+
+//! [overlap_shapes]
+bool overlap(const StageObject& a, const StageObject& b) {
+  if (!hit_test_object(a, b)) return false;  // the quick test first
+  for (const Side& side_a : sides_of(a))
+    for (const Side& side_b : sides_of(b))
+      if (meet(side_a, side_b)) return true;
+  return hit_test_point(a, b.outline().front(), true) || hit_test_point(b, a.outline().front(), true);
+}
+//! [overlap_shapes]
+
+//! [pick]
+std::optional<std::size_t> pick(std::span<const StageObject> drawn, const Point2& pointer) {
+  for (std::size_t i = drawn.size(); i-- > 0;)
+    if (hit_test_point(drawn[i], pointer, true)) return i;
+  return std::nullopt;
+}
+//! [pick]
+
+}  // namespace first_contact

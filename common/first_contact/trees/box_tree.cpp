@@ -1,0 +1,145 @@
+#include "first_contact/trees/box_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace first_contact {
+
+namespace {
+
+constexpr std::size_t bin_count = 16;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// From this depth on parts are halved by number, so that no arrangement of objects makes the tree much
+// deeper.
+constexpr std::size_t deepest_by_surface = 64;
+
+// What a part is expected to cost: half its surface times its number of objects.
+struct Part {
+  Bounds bounds;
+  std::size_t count = 0;
+
+  void add(const Part& other) {
+    bounds.include(other.bounds);
+    count += other.count;
+  }
+  double work() const {
+    if (count == 0) return 0;
+    const Vector d = bounds.size();
+    return (d.x() * d.y() + d.y() * d.z() + d.z() * d.x()) * static_cast<double>(count);
+  }
+};
+
+// A cut along an axis, after a bin.
+struct Cut {
+  int axis = -1;  // none
+  std::size_t bin = 0;
+  double work = infinite;
+  std::size_t larger = 0;  // objects in the larger part
+
+  // Of two cuts as good, as on a straight line, whose parts have no surface, the more even one.
+  bool operator<(const Cut& other) const {
+    return std::pair(work, larger) < std::pair(other.work, other.larger);
+  }
+};
+
+std::size_t bin_of(const Bounds& object, const Bounds& centers, int axis) {
+  const double part = (object.center()[axis] - centers.low[axis]) / centers.size()[axis];
+  return std::min(static_cast<std::size_t>(part * bin_count), bin_count - 1);
+}
+
+//! [best_cut_of_boxes]
+// The best of 15 cuts along an axis: surface times number of objects, of both parts.
+void improve(Cut& best, const std::array<Part, bin_count>& bins, int axis) {
+  std::array<double, bin_count> work_above{};
+  Part above, below;
+  std::size_t all = bins[0].count;
+  for (std::size_t i = bin_count - 1; i > 0; --i) {
+    above.add(bins[i]);
+    all += bins[i].count;
+    work_above[i] = above.count > 0 ? above.work() : infinite;
+  }
+  for (std::size_t i = 0; i + 1 < bin_count; ++i) {
+    below.add(bins[i]);
+    if (below.count == 0) continue;
+    const std::size_t n_above = all - below.count;
+    const Cut cut{axis, i, below.work() + work_above[i + 1], std::max(below.count, n_above)};
+    if (cut < best) best = cut;
+  }
+}
+//! [best_cut_of_boxes]
+
+}  // namespace
+
+BoxTree::BoxTree(std::span<const Triangle> polygons, const BoxTreeLimits& limits)
+    : BoxTree(bounds_of_each(polygons), limits) {}
+
+BoxTree::BoxTree(std::span<const Bounds> objects, const BoxTreeLimits& limits)
+    : NodeTree(all_in_order(objects.size())) {
+  nodes_.push_back({bounds_of(objects), 0, 0, static_cast<std::uint32_t>(objects.size())});
+  divide(0, objects, limits, 0);
+}
+
+//! [divide_boxes]
+void BoxTree::divide(std::size_t node, std::span<const Bounds> objects, const BoxTreeLimits& limits,
+                     std::size_t depth) {
+  depth_ = std::max(depth_, depth);
+  const Node parent = nodes_[node];
+  const std::uint32_t count = parent.end - parent.begin;
+  if (count <= std::max<std::size_t>(1, limits.capacity)) return;
+
+  const std::uint32_t middle = depth < deepest_by_surface ? cut(parent, objects) : parent.begin + count / 2;
+  const std::size_t child = nodes_.size();
+  nodes_[node].first_child = static_cast<std::uint32_t>(child);
+  for (const auto& [begin, end] : {std::pair(parent.begin, middle), std::pair(middle, parent.end)}) {
+    nodes_.push_back({{}, 0, begin, end});
+    for (std::uint32_t i = begin; i < end; ++i) nodes_.back().bounds.include(objects[order_[i]]);
+  }
+  work_ += count;
+  divide(child, objects, limits, depth + 1);
+  divide(child + 1, objects, limits, depth + 1);
+}
+//! [divide_boxes]
+
+// Orders the objects of a node by the best cut; gives the place where the second part begins.
+std::uint32_t BoxTree::cut(const Node& parent, std::span<const Bounds> objects) {
+  const auto begin = order_.begin() + parent.begin, end = order_.begin() + parent.end;
+  Bounds centers;
+  std::for_each(begin, end, [&](std::uint32_t i) { centers.include(objects[i].center()); });
+  Cut best;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double extent = centers.size()[axis];
+    if (!(extent > 0 && extent < infinite)) continue;
+    std::array<Part, bin_count> bins;
+    std::for_each(begin, end, [&](std::uint32_t i) {
+      bins[bin_of(objects[i], centers, axis)].add({objects[i], 1});
+    });
+    improve(best, bins, axis);
+    work_ += parent.end - parent.begin;
+  }
+  if (best.axis < 0) return parent.begin + (parent.end - parent.begin) / 2;  // all in one place
+  const auto above = std::stable_partition(
+      begin, end, [&](std::uint32_t i) { return bin_of(objects[i], centers, best.axis) <= best.bin; });
+  return static_cast<std::uint32_t>(above - order_.begin());
+}
+
+void BoxTree::search(Search& search) const { show(0, search, 0); }
+
+//! [show_boxes]
+void BoxTree::show(std::size_t node, Search& search, std::size_t depth) const {
+  search.count_node(depth);
+  const Node& here = nodes_[node];
+  if (here.bounds.empty() || !search.reaches(here.bounds)) return;
+  if (here.is_leaf()) {
+    for (std::uint32_t i = here.begin; i < here.end; ++i) search.test(order_[i]);
+    return;
+  }
+  const std::size_t a = here.first_child, b = a + 1;
+  const Vector from_a_to_b = nodes_[b].bounds.center() - nodes_[a].bounds.center();
+  const bool a_first = search.heading().dot(from_a_to_b) >= 0;
+  show(a_first ? a : b, search, depth + 1);
+  show(a_first ? b : a, search, depth + 1);
+}
+//! [show_boxes]
+
+}  // namespace first_contact

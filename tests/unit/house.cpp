@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The reading order of the library: a folder needs only those before it.
+const std::vector<std::string> order{"geometry", "mesh_io",  "sweep",  "trees", "bvh",    "batch",
+                                     "pairs",    "response", "motion", "stage", "figure", "program"};
+const std::size_t mathematics = 10;  // the first ten are what a user gets with Eigen alone
+
+std::size_t rank(const std::string& folder) {
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), folder) - order.begin());
+}
+
+struct Include {
+  fs::path file;
+  std::string folder;  // of the file
+  std::string what;    // as it stands between the quotes or brackets
+};
+
+std::vector<Include> all_includes() {
+  std::vector<Include> includes;
+  const std::regex form("^#include [<\"]([^>\"]+)[>\"]");
+  const fs::path library = fs::path(FIRST_CONTACT_SOURCE) / "common/first_contact";
+  for (const auto& entry : fs::recursive_directory_iterator(library)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    std::smatch match;
+    for (std::string line; std::getline(in, line);)
+      if (std::regex_search(line, match, form))
+        includes.push_back(
+            {entry.path(), entry.path().lexically_relative(library).begin()->string(), match[1]});
+  }
+  return includes;
+}
+
+}  // namespace
+
+TEST_CASE("The reading order of the library is its dependency order") {
+  const std::string own = "first_contact/";
+  for (const Include& include : all_includes()) {
+    if (!include.what.starts_with(own)) continue;
+    const std::string needed =
+        include.what.substr(own.size(), include.what.find('/', own.size()) - own.size());
+    CAPTURE(include.file.string(), include.what);
+    CHECK(rank(include.folder) < order.size());
+    CHECK(rank(needed) <= rank(include.folder));
+  }
+}
+
+// And what the compiler and the system have of their own: vectors of floats, large pages.
+TEST_CASE("The mathematics needs Eigen and the standard library alone") {
+  const std::regex allowed("^(first_contact/.*|Eigen/.*|[a-z_0-9]+|[ei]mmintrin.h|sys/mman.h)$");
+  for (const Include& include : all_includes()) {
+    if (rank(include.folder) >= mathematics) continue;
+    CAPTURE(include.file.string(), include.what);
+    CHECK(std::regex_match(include.what, allowed));
+  }
+}
+
+TEST_CASE("Only figure/ sees gnuplot-iostream, and only in one place") {
+  const auto includes = all_includes();
+  CHECK(std::count_if(includes.begin(), includes.end(), [](const Include& include) {
+          return include.what.find("gnuplot-iostream") != std::string::npos;
+        }) == 1);
+}
