@@ -8,6 +8,7 @@
 #include "first_contact/mesh_io/mesh_file.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "jaw.hpp"
+#include "places.hpp"
 #include "rounded.hpp"
 #include "scenes.hpp"
 
@@ -225,7 +226,7 @@ Colour colour_of(Feature feature) {
 
 // Balls flung at the bunny from all around, where they first touch it: on a face, an edge or a vertex.
 void draw_bunny(const program::Program& program) {
-  const Environment bunny{read_mesh(std::string(FIRST_CONTACT_DATA) + "/bunny.off")};
+  const Environment bunny{read_mesh(std::string(places::meshes) + "/bunny.off")};
   Eigen::AlignedBox3d bounds;
   for (const Point& p : bunny.mesh().vertices()) bounds.extend(p);
   const double size = bounds.sizes().maxCoeff();

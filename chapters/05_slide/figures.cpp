@@ -9,6 +9,7 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "jitter.hpp"
+#include "places.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;
@@ -179,7 +180,7 @@ void draw_gap(const program::Program& program) {
 
 // Frame after frame with the same wish, a ball slides over the bunny's back, its cheek and its chest.
 void draw_bunny(const Studio& studio) {
-  const Environment bunny(read_mesh(FIRST_CONTACT_DATA "/bunny.off"));
+  const Environment bunny(read_mesh(places::meshes + std::string("/bunny.off")));
   const auto& [ball, wish] = over_the_bunny;
   const Frames run = slide_frames(over_the_bunny, bunny, 150);
   figure::Scene scene({72, 24}, 0.03);

@@ -6,6 +6,7 @@
 
 #include "first_contact/mesh_io/mesh_file.hpp"
 #include "first_contact/program/terrain.hpp"
+#include "places.hpp"
 #include "scene.hpp"
 
 namespace walks {
@@ -57,7 +58,7 @@ Ground hills() {
 Ground bunny() {
   const Point middle(0, 0, 4);
   return {{"bunny", "兔子"},
-          read_mesh(FIRST_CONTACT_DATA "/bunny.off"),
+          read_mesh(std::string(places::meshes) + "/bunny.off"),
           {{4, -1.2, 9}, 0.5},
           9,
           wander(0.5),

@@ -12,6 +12,7 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "jitter.hpp"
+#include "places.hpp"
 #include "scene.hpp"
 #include "walk_report.hpp"
 
@@ -175,7 +176,7 @@ void note_gap(Program& program) {
 }
 
 void note_frames(Program& program) {
-  const Environment wide(wide_corner), bunny(read_mesh(FIRST_CONTACT_DATA "/bunny.off"));
+  const Environment wide(wide_corner), bunny(read_mesh(places::meshes + std::string("/bunny.off")));
   const int frames = 40, settled = 10;  // by then the ball is in the corner
   const auto width = [](const Frames& run) {
     double most = 0;

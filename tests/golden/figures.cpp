@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "places.hpp"
 #include "run_program.hpp"
 
 namespace fs = std::filesystem;
@@ -42,7 +43,7 @@ bool pinned_gnuplot() {
 
 void check_chapter(const Chapter& chapter, bool pinned) {
   const TemporaryFolder folder;
-  const fs::path committed = fs::path(FIRST_CONTACT_SOURCE) / "figures" / chapter.folder;
+  const fs::path committed = fs::path(first_contact::places::source) / "figures" / chapter.folder;
   REQUIRE(run_program(chapter.program, {"--out", folder.path().string()}).status == 0);
   std::size_t count = 0;
   for (const auto& entry : fs::directory_iterator(folder.path())) {
@@ -70,7 +71,8 @@ TEST_CASE("Every figure of the paper up to 16 is there, as a script and as a pic
   for (int number = 1; number <= 16; ++number) {
     const std::string name = (number < 10 ? "figure-0" : "figure-") + std::to_string(number);
     int scripts = 0, pictures = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FIRST_CONTACT_SOURCE) / "figures")) {
+    for (const auto& entry :
+         fs::recursive_directory_iterator(fs::path(first_contact::places::source) / "figures")) {
       scripts += entry.path().filename() == name + ".gp";
       pictures += entry.path().filename() == name + ".svg";
     }

@@ -1,12 +1,13 @@
 #include "catch.hpp"
+#include "places.hpp"
 #include "run_program.hpp"
 
 namespace {
 
 void check_report(const Chapter& chapter, const std::string& language, const std::string& file) {
   CAPTURE(chapter.program, language);
-  const auto expected = content_of(std::filesystem::path(FIRST_CONTACT_SOURCE) / "chapters" / chapter.folder /
-                                   (chapter.program + file));
+  const auto expected = content_of(std::filesystem::path(first_contact::places::source) / "chapters" /
+                                   chapter.folder / (chapter.program + file));
   const Run run = run_program(chapter.program, {"--no-figures", "--lang", language});
   CHECK(run.status == 0);
   CHECK(run.err.empty());

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "places.hpp"
+
 namespace fs = std::filesystem;
 namespace process = boost::process;
 
@@ -17,7 +19,7 @@ std::string all_of(process::ipstream& stream) { return {std::istreambuf_iterator
 Run run(const std::string& name, const std::vector<std::string>& arguments, const fs::path& folder,
         const process::environment& environment) {
   process::ipstream out, err;
-  process::child child(std::string(FIRST_CONTACT_BINARY) + "/bin/" + name, process::args = arguments,
+  process::child child(std::string(first_contact::places::build) + "/bin/" + name, process::args = arguments,
                        process::start_dir = folder.string(),
                        process::std_in<process::null, process::std_out> out, process::std_err > err,
                        environment);
@@ -61,7 +63,7 @@ std::string content_of(const fs::path& file) {
 
 std::vector<Chapter> all_chapters() {
   std::vector<Chapter> chapters;
-  for (const auto& entry : fs::directory_iterator(fs::path(FIRST_CONTACT_SOURCE) / "chapters")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(first_contact::places::source) / "chapters")) {
     const std::string name = entry.path().filename().string();
     if (name.size() > 3 && name[2] == '_') chapters.push_back({name, name.substr(3)});
   }

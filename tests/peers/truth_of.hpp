@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "first_contact/trees/plain_bvh.hpp"
+#include "first_contact/bvh/plain_bvh.hpp"
 #include "peers/ways.hpp"
 #include "verify/truth.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "first_contact/trees/plain_bvh.hpp"
+#include "first_contact/bvh/plain_bvh.hpp"
 
 /// \file
 /// What the fast sweep is measured against: the plain tree with the sweep of a textbook, in doubles. It finds

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "places.hpp"
 
 namespace fs = std::filesystem;
 
@@ -29,7 +30,7 @@ struct Include {
 std::vector<Include> all_includes() {
   std::vector<Include> includes;
   const std::regex form("^#include [<\"]([^>\"]+)[>\"]");
-  const fs::path library = fs::path(FIRST_CONTACT_SOURCE) / "common/first_contact";
+  const fs::path library = fs::path(first_contact::places::source) / "common/first_contact";
   for (const auto& entry : fs::recursive_directory_iterator(library)) {
     if (!entry.is_regular_file()) continue;
     std::ifstream in(entry.path());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "places.hpp"
 
 using namespace first_contact;
 
@@ -227,7 +228,7 @@ TEST_CASE("A mesh that cannot be written leaves no file, and the message names i
 }
 
 TEST_CASE("The bunny is closed: every edge has two triangles, and vertices - edges + faces = 2") {
-  const Mesh bunny = read_mesh(fs::path(FIRST_CONTACT_SOURCE) / "chapters/meshes/bunny.off");
+  const Mesh bunny = read_mesh(fs::path(first_contact::places::source) / "chapters/meshes/bunny.off");
   CHECK(bunny.size() == 3674);
   CHECK(bunny.vertices().size() == 1839);
   CHECK(bunny.vertices()[0] == Point(1.301895, -2.550061, 0.122622));

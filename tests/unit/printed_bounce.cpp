@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "catch.hpp"
+#include "places.hpp"
 
 using namespace first_contact;
 
@@ -30,7 +31,7 @@ double from_bits(const std::string& hexadecimal) {
 }
 
 Table read_table(const std::string& name) {
-  std::ifstream in(std::string(FIRST_CONTACT_SOURCE) + "/tests/data/" + name);
+  std::ifstream in(std::string(first_contact::places::source) + "/tests/data/" + name);
   Table table;
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);

@@ -8,6 +8,7 @@
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
+#include "places.hpp"
 
 using namespace first_contact;
 using nlohmann::json;
@@ -15,7 +16,7 @@ using nlohmann::json;
 namespace {
 
 json published_misses() {
-  std::ifstream file(FIRST_CONTACT_SOURCE "/tests/data/published-misses.json");
+  std::ifstream file(std::string(first_contact::places::source) + "/tests/data/published-misses.json");
   REQUIRE(file);
   return json::parse(file);
 }

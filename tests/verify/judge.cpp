@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "first_contact/bvh/cast/parts.hpp"
-#include "first_contact/trees/plain_bvh.hpp"
+#include "first_contact/bvh/plain_bvh.hpp"
 #include "verify/surfaces.hpp"
 #include "verify/truth.hpp"
 

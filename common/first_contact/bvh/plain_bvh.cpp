@@ -1,4 +1,4 @@
-#include "first_contact/trees/plain_bvh.hpp"
+#include "first_contact/bvh/plain_bvh.hpp"
 
 #include <algorithm>
 #include <array>
