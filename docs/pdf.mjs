@@ -5,8 +5,9 @@ import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 import {executable} from './checks/browser.mjs';
-import {build, chapters, escape, html, otherPages, read} from './tools/book.mjs';
+import {build, chapters, complain, escape, html, otherPages, read, stopIfWrong} from './tools/book.mjs';
 import {chapterMap} from './tools/generated.mjs';
+import {idsOf, unresolvedIn} from './tools/references.mjs';
 
 const goesOn = (part) => part.isLibrary && part.folder;
 const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...otherPages.filter(({front}) => !front)];
@@ -25,7 +26,7 @@ function bodyOf({id, page, ...part}) {
   const glyphs = /<svg class="glyphs"[\s\S]*?<\/svg>/.exec(text)?.[0] ?? '';
   const own = (name) => `${id}--${name}`;
   return (glyphs + body)
-      .replace(/\sid="([^"]+)"/g, (_, name) => ` id="${own(name)}"`)
+      .replace(/\sid=(["'])([^"']+)\1/g, (_, quote, name) => ` id=${quote}${own(name)}${quote}`)
       .replace(/\b((?:xlink:)?href)=(["'])#([^"']+)\2/g, (_, attribute, quote, name) => `${attribute}=${quote}#${own(name)}${quote}`)
       .replace(/url\(#([^)]+)\)/g, (_, name) => `url(#${own(name)})`)
       .replace(/\bhref="([\w-]+\.html)(?:#([^"]+))?"/g, (whole, target, name) => {
@@ -77,8 +78,16 @@ function pagesOf(file) {
 const book = join(build, 'book.html'), pdf = join(build, 'first-contact.pdf');
 const browser = await chromium.launch({executablePath: executable(), args: ['--no-sandbox', '--disable-gpu', '--export-tagged-pdf']});
 
+// A drawing or a link that refers to what is not there is printed as nothing, and nobody is told.
+function checkReferences(text) {
+  for (const name of unresolvedIn(text, idsOf(text))) complain('the print edition', `refers to what is not in it: #${name}`);
+  stopIfWrong('assembling the print edition');
+}
+
 async function print(pages) {
-  writeFileSync(book, assemble(pages));
+  const text = assemble(pages);
+  checkReferences(text);
+  writeFileSync(book, text);
   const page = await browser.newPage();
   await page.goto(pathToFileURL(book).href);
   await page.pdf({path: pdf, printBackground: true, outline: true, tagged: true, preferCSSPageSize: true});

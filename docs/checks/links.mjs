@@ -2,13 +2,13 @@
 import {existsSync} from 'node:fs';
 import {basename, dirname, join, resolve} from 'node:path';
 import {complain, filesBelow, html, read} from '../tools/book.mjs';
+import {idsOf, unresolvedIn} from '../tools/references.mjs';
 
 const isOurs = (file) => file.endsWith('.html') && !file.includes('/search/');
 
 export function checkLinks() {
   const pages = filesBelow(html, isOurs);
-  const anchors = new Map(pages.map((file) =>
-    [file, new Set([...read(file).matchAll(/\s(?:id|name)="([^"]+)"/g)].map(([, id]) => id))]));
+  const anchors = new Map(pages.map((file) => [file, idsOf(read(file))]));
   let links = 0;
   for (const file of pages) {
     const page = read(file), name = basename(file);
@@ -21,11 +21,13 @@ export function checkLinks() {
           continue;
         }
         const [path, anchor] = target.split('#');
-        const to = path ? resolve(dirname(file), decodeURIComponent(path)) : file;
+        if (!path) continue;  // within the page: below
+        const to = resolve(dirname(file), decodeURIComponent(path));
         if (!existsSync(to)) complain(name, `leads nowhere: ${target}`);
         else if (anchor && anchors.has(to) && !anchors.get(to).has(decodeURIComponent(anchor))) complain(name, `no such anchor: ${target}`);
       }
-    const twice = [...page.matchAll(/\sid="([^"]+)"/g)].map(([, id]) => id).filter((id, i, all) => all.indexOf(id) !== i);
+    for (const target of unresolvedIn(page, anchors.get(file))) complain(name, `no such anchor or drawing: #${target}`);
+    const twice = [...page.matchAll(/\sid=(["'])([^"']+)\1/g)].map(([, , id]) => id).filter((id, i, all) => all.indexOf(id) !== i);
     if (twice.length) complain(name, `ids stand twice: ${[...new Set(twice)].slice(0, 5).join(', ')}`);
     if (/[\uE000-\uF8FF]/.test(page)) complain(name, 'a token was left in the page');
   }
