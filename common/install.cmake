@@ -1,4 +1,4 @@
-# find_package(FirstContact) gives FirstContact::geometry, which needs Eigen alone.
+# find_package(FirstContact) gives FirstContact::geometry, which needs Eigen, and Highway to link.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS first_contact_geometry EXPORT FirstContactTargets
