@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "first_contact/bvh/cast/cast.hpp"
@@ -29,7 +30,9 @@ Bvh::Parts::Parts(Mesh triangles) : mesh(std::move(triangles)), space(mesh), wal
 
 Bvh::Bvh(Mesh mesh) {
   constexpr std::size_t most_triangles = std::size_t{1} << 28;
-  if (mesh.size() > most_triangles) throw std::length_error("Bvh: a mesh may have 2^28 triangles at most");
+  if (mesh.size() > most_triangles)
+    throw std::length_error("a mesh of " + std::to_string(mesh.size()) +
+                            " triangles: a fast tree must have at most 2^28");
   parts_ = std::make_unique<const Parts>(std::move(mesh));
 }
 
@@ -129,6 +132,9 @@ class Turns {
 }  // namespace
 
 void sweep(std::span<const Moving<Sphere>> moving, const Bvh& bvh, std::span<std::optional<Contact>> first) {
+  if (first.size() != moving.size())
+    throw std::invalid_argument("sweep of many spheres: " + std::to_string(first.size()) + " contacts for " +
+                                std::to_string(moving.size()) + " spheres: must be as many");
   Turns(moving, bvh.parts(), first).run();
 }
 

@@ -76,7 +76,7 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh);
 
 /// Many casts at once, in turns, so that while one waits for memory others go on. first[i] is what
 /// sweep(moving[i], bvh) gives.
-/// \param first  as many as `moving`
+/// \throws std::invalid_argument if there are not as many places in `first` as spheres.
 void sweep(std::span<const Moving<Sphere>> moving, const Bvh& bvh, std::span<std::optional<Contact>> first);
 
 }  // namespace first_contact

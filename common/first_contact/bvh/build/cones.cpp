@@ -56,10 +56,10 @@ NormalCones::NormalCones(const Surface& surface, const Space& space)
     : surface_(surface), cones_(surface.vertices()) {
   const auto triangles = surface.places();
   std::vector<Eigen::Vector3f> normals(triangles.size());
-  in_parallel(triangles.size(), [&](std::size_t from, std::size_t to) {
+  in_parallel_ranges(triangles.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) normals[i] = unit_normal(surface.triangle(triangles[i]), space);
   });
-  in_parallel(cones_.size(), [&](std::size_t from, std::size_t to) {
+  in_parallel_ranges(cones_.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) cones_[i] = cone_at(static_cast<std::uint32_t>(i), normals);
   });
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -255,10 +254,7 @@ void Packer::in_turns(const Cover& cover, const Work& work) const {
     if (!branch(cover.branch[j]).leaf()) turns.push_back(j);
   const auto size = [&](std::size_t j) { return branch(cover.branch[j]).count; };
   std::sort(turns.begin(), turns.end(), [&](std::size_t i, std::size_t j) { return size(i) > size(j); });
-  std::atomic<std::size_t> next{0};
-  in_parallel_copies(threads_for(tree_.order.size()), [&] {
-    for (std::size_t i = next++; i < turns.size(); i = next++) work(turns[i]);
-  });
+  in_parallel(threads_for(tree_.order.size()), turns.size(), [&](std::size_t i) { work(turns[i]); });
 }
 
 /// Puts another packer's nodes and leaves behind this one's. \returns its topmost node, moved

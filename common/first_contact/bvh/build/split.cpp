@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <future>
 #include <limits>
 #include <span>
 
@@ -219,9 +218,14 @@ std::vector<Branch> Splitter::tree(std::uint32_t first, std::uint32_t count, int
   }
   const std::uint32_t half = cut(first, count, depth, root);
   if (half == 0) return {root};
-  auto other = std::async(std::launch::async, [&] { return tree(first, half, depth + 1, threads / 2); });
-  const std::vector<Branch> above = tree(first + half, count - half, depth + 1, threads - threads / 2);
-  return join(root, other.get(), above);
+  std::vector<Branch> below, above;
+  in_parallel(2, 2, [&](std::size_t part) {
+    if (part == 0)
+      below = tree(first, half, depth + 1, threads / 2);
+    else
+      above = tree(first + half, count - half, depth + 1, threads - threads / 2);
+  });
+  return join(root, below, above);
 }
 
 }  // namespace
@@ -229,7 +233,7 @@ std::vector<Branch> Splitter::tree(std::uint32_t first, std::uint32_t count, int
 BinaryTree split(const Mesh& mesh, const Space& space, const Merged& merged) {
   const auto n = static_cast<std::uint32_t>(mesh.size());
   std::vector<Item> items(n);
-  in_parallel(n, [&](std::size_t from, std::size_t to) {
+  in_parallel_ranges(n, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) items[i] = make_item(mesh, space, static_cast<std::uint32_t>(i));
   });
   BinaryTree tree;
