@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 

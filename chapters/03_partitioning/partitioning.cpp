@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/trees/box_tree.hpp"
@@ -231,17 +231,6 @@ std::string at_most_a_million(double value) {
 
 //! [results]
 
-void draw_figures(const Program& program, std::uint64_t seed) {
-  draw_octree(program.studio());
-  draw_bsp(program.studio());
-  draw_same_side(program.studio());
-  draw_grown_planes(program.studio());
-  draw_hit_tests(program.studio());
-  draw_costs(program, seed);
-  draw_support(program.studio());
-  draw_cones(program.studio());
-}
-
 //! [scene]
 struct Scene {
   long objects = 1000;
@@ -294,7 +283,7 @@ int main(int argc, char** argv) {
     note_costs(program, costs, triangles);
     note_depths(program, seed);
     note_faults(program, seed);
-    if (program.draws()) draw_figures(program, seed);
+    if (program.draws()) draw_partitioning_figures(program, seed);
   });
 }
 //! [main]

@@ -206,4 +206,37 @@ template std::vector<Accuracy> accuracy_at_an_edge<double>(EdgeFormula);
 template std::vector<Wrong> wrong_answers<float>(RayTest);
 template std::vector<Wrong> wrong_answers<double>(RayTest);
 
+// What the notes speak of.
+void note_accuracy(program::Program& program) {
+  const auto note = [&](const std::string& precision, const std::string& formula,
+                        const std::vector<program::Accuracy>& measured) {
+    for (std::size_t decade = 1; 2 * decade <= measured.size(); ++decade) {
+      const program::Accuracy& each = measured[2 * decade - 1];
+      const std::string where = "accuracy." + precision + "_1e" + std::to_string(decade) + "_" + formula;
+      if (std::isfinite(each.error)) program.value(where, each.error);
+      program.value(where + "_lost", each.lost);
+    }
+  };
+  note("single", "textbook", accuracy_at_an_edge<float>(EdgeFormula::textbook));
+  note("single", "stable", accuracy_at_an_edge<float>(EdgeFormula::stable));
+  note("double", "textbook", accuracy_at_an_edge<double>(EdgeFormula::textbook));
+  note("double", "stable", accuracy_at_an_edge<double>(EdgeFormula::stable));
+
+  // Where a test begins to fail: the sizes between which at most one answer in a hundred is wrong.
+  const auto span = [&](const std::string& name, const std::vector<Wrong>& measured) {
+    double from = 0, to = 0;
+    for (const Wrong& each : measured)
+      if (each.share <= 0.01) {
+        if (from == 0) from = each.size;
+        to = each.size;
+      }
+    program.value("tolerance." + name + "_from", from);
+    program.value("tolerance." + name + "_to", to);
+  };
+  span("determinant", wrong_answers<double>(RayTest::determinant));
+  span("areas_single", wrong_answers<float>(RayTest::areas));
+  span("areas_double", wrong_answers<double>(RayTest::areas));
+  span("none", wrong_answers<double>(RayTest::weights));
+}
+
 }  // namespace general_sphere_chapter

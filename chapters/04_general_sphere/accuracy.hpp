@@ -39,7 +39,4 @@ std::vector<Wrong> wrong_answers(RayTest test);
 /// Numbers that the notes speak of.
 void note_accuracy(first_contact::program::Program& program);
 
-/// The two measurements as charts.
-void draw_accuracy(const first_contact::program::Program& program);
-
 }  // namespace general_sphere_chapter

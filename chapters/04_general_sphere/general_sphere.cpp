@@ -8,7 +8,7 @@
 
 #include "accuracy.hpp"
 #include "casts.hpp"
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/mesh_report.hpp"
@@ -229,9 +229,7 @@ int main(int argc, char** argv) {
     note_features(program, environment);
     note_faults(program, environment, moving);
     note_accuracy(program);
-    if (!program.draws()) return;
-    draw_general_sphere_figures(program, environment, moving, contact);
-    draw_accuracy(program);
+    if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
   });
 }
 //! [main]

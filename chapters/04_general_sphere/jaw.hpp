@@ -20,7 +20,5 @@ first_contact::Turning<first_contact::Mesh> opening_jaw(double spur);
 
 /// The lines of the report, and the numbers that the notes speak of.
 void tell(first_contact::program::Program& program);
-/// Figure 16.
-void draw(const first_contact::program::Program& program);
 
 }  // namespace jaw

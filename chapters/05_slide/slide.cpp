@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/mesh_io/mesh_file.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "far_away.hpp"
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "growth.hpp"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "encounter.hpp"
-#include "figures.hpp"
+#include "figures/figures.hpp"
 #include "first_contact/program/program.hpp"
 
 using namespace first_contact;

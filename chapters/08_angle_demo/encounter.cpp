@@ -60,3 +60,23 @@ Closest closest_approach(const Encounter& e) {
 std::array<Vector2d, 2> centres(const Encounter& e, double time) {
   return {e.p1 + time * e.v1, e.p2 + time * e.v2};
 }
+
+Encounter aimed_beside() {
+  Encounter aimed;
+  aimed.mass = {1, 1};
+  aimed.p1 = {-5, 1};
+  aimed.p2 = {0, 0};
+  aimed.v1 = {5, 0};
+  aimed.v2 = {0, 0};
+  return aimed;
+}
+
+Encounter soft_and_aslant() {
+  Encounter soft;
+  soft.mass = {1, 1};
+  soft.p1 = {-1, 0};
+  soft.p2 = {1, 0};
+  soft.v2 = {-1, -1};
+  soft.restitution = 0.5;
+  return soft;
+}

@@ -43,3 +43,10 @@ struct Closest {
 Closest closest_approach(const Encounter& encounter);
 /// Where the centres are at a time.
 std::array<Eigen::Vector2d, 2> centres(const Encounter& encounter, double time);
+
+/// Two unit discs, one at rest, the other aimed one radius beside its centre: they meet at 30 degrees.
+Encounter aimed_beside();
+
+/// Two unit discs that touch, each moving aslant, with restitution 1/2: only what is along the line of
+/// centres may change.
+Encounter soft_and_aslant();

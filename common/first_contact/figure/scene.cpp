@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <utility>
+
+#include "first_contact/figure/paint.hpp"
 
 namespace first_contact::figure {
 
@@ -16,48 +16,6 @@ namespace {
 constexpr std::size_t many_triangles = 200;
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
-constexpr std::uint32_t light_colour =
-    0xFFFFFE;  // white on a dark page too: the paper's own white becomes dark there
-
-// A colour under a light that falls at an angle whose cosine is given: ambient, diffuse and a soft highlight.
-std::uint32_t lit(std::uint32_t rgb, double cosine) {
-  const double diffuse = 0.58 + 0.42 * std::max(0.0, cosine);
-  const double gloss = 0.22 * std::pow(std::max(0.0, cosine), 24);
-  const auto channel = [&](unsigned shift) {
-    const double value = (rgb >> shift & 255U) * diffuse;
-    return static_cast<std::uint32_t>(std::lround(value + (255 - value) * gloss)) << shift;
-  };
-  return channel(16) | channel(8) | channel(0);
-}
-
-// A colour as an expression of the script: the palette's name, so that it follows the theme, or a shade of
-// it.
-std::string flat(const Colour& colour, double opacity) {
-  if (opacity >= 1) return std::string(colour.name);
-  std::ostringstream out;
-  out << "fade(" << colour.name << "," << opacity << ")";
-  return out.str();
-}
-
-std::string shade(std::uint32_t rgb, double opacity) {
-  const auto clear = static_cast<std::uint32_t>(std::lround((1 - opacity) * 255));
-  char text[24];
-  std::snprintf(text, sizeof text, "tone(0x%02X%06X)", clear, rgb);
-  return text;
-}
-
-// Faces of a solid are drawn with a hairline of their own colour, or the page would shine through between
-// neighbours.
-std::string area(const std::string& colour, bool hairline) {
-  std::string style = "filledcurves closed fc rgb " + colour;
-  return style + (hairline ? " fs solid border lc rgb " + colour + " lw 1.1" : " fs solid noborder");
-}
-
-std::string stroke(const Pen& pen) {
-  std::ostringstream out;
-  out << "lc rgb " << pen.colour.name << " lw " << pen.width << (pen.dashed ? " dt (6,5)" : " dt solid");
-  return out.str();
-}
 
 std::vector<Point> ring(const Point& center, const Vector& normal, double radius) {
   const Vector u = normal.unitOrthogonal(), v = normal.normalized().cross(u);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "first_contact/figure/figure.hpp"
-#include "first_contact/figure/palette.hpp"
+#include "first_contact/figure/paint.hpp"
 #include "first_contact/geometry/box.hpp"
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
@@ -20,21 +20,6 @@ struct View {
   Vector eye() const;    ///< unit, from the scene to the eye
   Vector right() const;  ///< unit, to the right of the picture
   Vector up() const;     ///< unit, upwards in the picture
-};
-
-/// How a line is drawn; the width in points.
-struct Pen {
-  Colour colour = colour::ink;  ///< of the palette
-  double width = 1.4;           ///< in points
-  bool dashed = false;          ///< for what is hidden or moved out
-};
-
-/// How an area is filled. Shaded: lit by the scene's light, for the faces of a solid; else flat.
-struct Fill {
-  Colour colour = colour::floor;              ///< of the palette
-  double opacity = 1;                         ///< from 0, clear as air, to 1
-  bool shaded = false;                        ///< lit by the scene's light
-  std::optional<Pen> outline = std::nullopt;  ///< none if it is empty
 };
 
 enum class Align { left, centre, right };
@@ -61,7 +46,7 @@ class Scene {
   void line(const std::vector<Point>& points, const Pen& pen, int layer = 1);
   /// An arrow, its head at `to`.
   void arrow(const Point& from, const Point& to, const Pen& pen = {colour::red, 2.4}, int layer = 2);
-  /// A ball, shaded; below opacity 1 it is of glass. A ball, opaque or of glass.
+  /// A ball, shaded; below opacity 1 it is of glass.
   /// \param step degrees between two shades; small balls need no fine ones
   void sphere(const Sphere& ball, const Colour& colour = colour::amber, double opacity = 1, int layer = 0,
               double step = 2.5);
