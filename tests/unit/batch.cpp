@@ -5,7 +5,7 @@
 
 #include "catch.hpp"
 #include "chance.hpp"
-#include "first_contact/batch/batch_loops.hpp"
+#include "every_processor.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
@@ -18,14 +18,6 @@ namespace {
 
 using Balls = std::vector<Moving<Sphere>>;
 using Boxes = std::vector<Moving<Box>>;
-
-/// Those for every kind of processor that this one can stand for.
-std::vector<batch::Loops> all_loops() {
-  std::vector<batch::Loops> all;
-  for (const batch::Loops* loops : {&batch::portable_loops, &batch::avx2_loops, &batch::avx512_loops})
-    if (batch::can_run(*loops)) all.push_back(*loops);
-  return all;
-}
 
 template <class Moving, class Obstacle>
 double plain_time(const Moving& moving, const Obstacle& obstacle) {
@@ -63,12 +55,51 @@ class Bodies : Chance {
   }
 };
 
+/// Room for times, between numbers that nobody may write: a line of the memory before and two behind.
+class Results {
+ public:
+  explicit Results(std::size_t count) : numbers_(count + 24, untouched) {}
+
+  std::span<double> times() { return std::span(numbers_).subspan(8, numbers_.size() - 24); }
+  bool is_all_else_untouched() const {
+    const auto is_untouched = [](double number) { return number == untouched; };
+    return std::all_of(numbers_.begin(), numbers_.begin() + 8, is_untouched) &&
+           std::all_of(numbers_.end() - 16, numbers_.end(), is_untouched);
+  }
+
+ private:
+  static constexpr double untouched = -1;
+
+  std::vector<double> numbers_;
+};
+
+/// Sweeps them against it, and compares with the plain sweeps one by one.
+template <class Many, class Obstacle, class PlainTime>
+void check_times(const Many& all, const Obstacle& obstacle, const PlainTime& plain) {
+  Results results(all.size());
+  sweep(all, obstacle, results.times());
+  for (std::size_t i = 0; i < all.size(); ++i) REQUIRE(results.times()[i] == plain(i));
+  CHECK(results.is_all_else_untouched());
+}
+
+template <class Body>
+std::vector<Body> first(std::size_t count, const std::vector<Body>& all) {
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
 constexpr std::size_t many = 20003;  // not a multiple of a line of the memory
 
 Balls balls(unsigned seed, double away = 4, double speed = 6) {
   Bodies bodies(seed);
   Balls all;
   for (std::size_t i = 0; i < many; ++i) all.push_back(bodies.ball(away, speed));
+  return all;
+}
+
+Boxes boxes(unsigned seed) {
+  Bodies bodies(seed);
+  Boxes all;
+  for (std::size_t i = 0; i < many; ++i) all.push_back(bodies.box());
   return all;
 }
 
@@ -79,7 +110,7 @@ TEST_CASE("A batch of two moving spheres has the times of the plain sweep, bit f
   const double away = GENERATE(0.5, 4.0, 1e3);
   const Balls p = balls(1, away, speed), q = balls(2, away, speed);
   const MovingColumns p_columns(p), q_columns(q);
-  std::vector<double> times(many), portable(many);
+  std::vector<double> times(many);
   sweep(p_columns.spheres(), q_columns.spheres(), times);
   std::size_t unlike = 0, found = 0, at_once = 0;
   for (std::size_t i = 0; i < many; ++i) {
@@ -109,9 +140,8 @@ TEST_CASE("A batch of spheres against a plane has the times of the plain sweep, 
 }
 
 TEST_CASE("A batch of boxes against a plane has the times of the plain sweep, bit for bit", "[batch]") {
-  Bodies bodies(5);
-  Boxes all;
-  for (std::size_t i = 0; i < many; ++i) all.push_back(bodies.box());
+  const Boxes all = boxes(5);
+  Bodies bodies(13);
   const MovingColumns columns(all);
   std::vector<double> times(many);
   std::size_t unlike = 0, found = 0;
@@ -126,51 +156,42 @@ TEST_CASE("A batch of boxes against a plane has the times of the plain sweep, bi
 }
 
 TEST_CASE("A batch gives the same times on every kind of processor, whatever its length", "[batch]") {
-  const Balls p = balls(6, 1), q = balls(7, 1);
   const std::size_t count = GENERATE(as<std::size_t>{}, 0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 63, 64, 65, 71,
-                                     72, 73, 127, 128, 129, 1000);
-  const MovingColumns p_columns(Balls(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(count)));
-  const MovingColumns q_columns(Balls(q.begin(), q.begin() + static_cast<std::ptrdiff_t>(count)));
-  const auto flat = [](const MovingSpheres& s) {
-    const auto vectors = [](const Columns& c) {
-      return batch::Vectors{c[0].data(), c[1].data(), c[2].data()};
-    };
-    return batch::Spheres{vectors(s.center()), s.radius().data(), vectors(s.displacement())};
-  };
+                                     72, 73, 127, 128, 129, 1000, 4096, 4097, 8200);
+  const Balls p = first(count, balls(6, 1)), q = first(count, balls(7, 1));
+  const Boxes all_boxes = first(count, boxes(14));
+  const MovingColumns p_columns(p), q_columns(q), box_columns(all_boxes);
   const Plane plane({1, 2, 2}, 1);
-  const batch::FlatPlane numbers{plane.normal().x(), plane.normal().y(), plane.normal().z(), plane.offset()};
-  for (const batch::Loops& loops : all_loops()) {
-    std::vector<double> times(count + 1, -1);  // one more than is written
-    loops.sphere_sphere(flat(p_columns.spheres()), flat(q_columns.spheres()), count, times.data());
-    for (std::size_t i = 0; i < count; ++i) REQUIRE(times[i] == plain_time(p[i], q[i]));
-    CHECK(times[count] == -1);
-    loops.sphere_plane(flat(p_columns.spheres()), numbers, count, times.data());
-    for (std::size_t i = 0; i < count; ++i) REQUIRE(times[i] == plain_time(p[i], plane));
-    CHECK(times[count] == -1);
-  }
+  on_every_processor([&](const std::string& kind) {
+    CAPTURE(kind, count);
+    check_times(p_columns.spheres(), q_columns.spheres(),
+                [&](std::size_t i) { return plain_time(p[i], q[i]); });
+    check_times(p_columns.spheres(), plane, [&](std::size_t i) { return plain_time(p[i], plane); });
+    check_times(box_columns.boxes(), plane, [&](std::size_t i) { return plain_time(all_boxes[i], plane); });
+  });
 }
 
 TEST_CASE("A batch gives the same times wherever its columns begin in a page of the memory", "[batch]") {
   const std::size_t step = GENERATE(as<std::size_t>{}, 0, 1, 8, 36, 512);  // doubles; a page holds 512
-  const Balls p = balls(11, 1), q = balls(12, 1);
-  constexpr std::size_t count = 1003, room = 2048;
-  MovingColumns p_columns(Balls(p.begin(), p.begin() + count)),
-      q_columns(Balls(q.begin(), q.begin() + count));
-  std::vector<double> memory(15 * (room + step));
-  std::array<double*, 15> columns;
-  for (std::size_t k = 0; k < 15; ++k) {
-    columns[k] = memory.data() + k * (room + step);
-    if (k < 14) std::ranges::copy((k < 7 ? p_columns : q_columns).column(k % 7), columns[k]);
-  }
+  const std::size_t count = GENERATE(as<std::size_t>{}, 1000, 1003);  // whole lines of the memory, or not
+  constexpr std::size_t room = 2048;
+  const Balls p = first(count, balls(11, 1)), q = first(count, balls(12, 1));
+  MovingColumns p_columns(p), q_columns(q);
+  std::vector<double> memory(15 * (room + step), -1);
+  const auto place = [&](std::size_t k) { return std::span(memory).subspan(k * (room + step), room); };
+  for (std::size_t k = 0; k < 14; ++k)
+    std::ranges::copy((k < 7 ? p_columns : q_columns).column(k % 7), place(k).begin());
+  const auto column = [&](std::size_t k) { return std::span<const double>(place(k).first(count)); };
   const auto spheres = [&](std::size_t k) {
-    return batch::Spheres{{columns[k], columns[k + 1], columns[k + 2]},
-                          columns[k + 3],
-                          {columns[k + 4], columns[k + 5], columns[k + 6]}};
+    return MovingSpheres({column(k), column(k + 1), column(k + 2)}, column(k + 3),
+                         {column(k + 4), column(k + 5), column(k + 6)});
   };
-  for (const batch::Loops& loops : all_loops()) {
-    loops.sphere_sphere(spheres(0), spheres(7), count, columns[14]);
-    for (std::size_t i = 0; i < count; ++i) REQUIRE(columns[14][i] == plain_time(p[i], q[i]));
-  }
+  on_every_processor([&](const std::string& kind) {
+    CAPTURE(kind, step, count);
+    sweep(spheres(0), spheres(7), place(14).first(count));
+    for (std::size_t i = 0; i < count; ++i) REQUIRE(place(14)[i] == plain_time(p[i], q[i]));
+    CHECK(std::ranges::all_of(place(14).subspan(count), [](double number) { return number == -1; }));
+  });
 }
 
 TEST_CASE("A batch keeps the contract of every sweep", "[batch]") {

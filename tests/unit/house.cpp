@@ -15,7 +15,7 @@ namespace {
 // The reading order of the library: a folder needs only those before it.
 const std::vector<std::string> order{"geometry", "mesh_io",  "sweep",  "trees", "bvh",    "batch",
                                      "pairs",    "response", "motion", "stage", "figure", "program"};
-const std::size_t mathematics = 10;  // the first ten are what a user gets with Eigen alone
+const std::size_t mathematics = 10;  // the first ten are what a user gets with Eigen and Highway
 
 std::size_t rank(const std::string& folder) {
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), folder) - order.begin());
@@ -58,12 +58,14 @@ TEST_CASE("The reading order of the library is its dependency order") {
 }
 
 // And what the compiler and the system have of their own: vectors of floats, large pages.
-TEST_CASE("The mathematics needs Eigen and the standard library alone") {
-  const std::regex allowed("^(first_contact/.*|Eigen/.*|[a-z_0-9]+|[ei]mmintrin.h|sys/mman.h)$");
+TEST_CASE("The mathematics needs Eigen, Highway in the kernels, and the standard library alone") {
+  const std::regex allowed("^(first_contact/.*|Eigen/.*|hwy/.*|[a-z_0-9]+|[ei]mmintrin.h|sys/mman.h)$");
+  const std::regex kernels(".*/(batch|kernels)/[^/]*");
   for (const Include& include : all_includes()) {
     if (rank(include.folder) >= mathematics) continue;
     CAPTURE(include.file.string(), include.what);
     CHECK(std::regex_match(include.what, allowed));
+    if (include.what.starts_with("hwy/")) CHECK(std::regex_match(include.file.string(), kernels));
   }
 }
 

@@ -1,10 +1,9 @@
 #include "first_contact/batch/batch.hpp"
 
-#include <initializer_list>
 #include <sstream>
 #include <stdexcept>
 
-#include "first_contact/batch/batch_loops.hpp"
+#include "first_contact/batch/loops.hpp"
 
 namespace first_contact {
 
@@ -67,42 +66,21 @@ Moving<Box> MovingBoxes::operator[](std::size_t i) const {
   return {{at(center_, i), at(r, i), at(s, i), at(t, i)}, at(displacement_, i)};
 }
 
-namespace batch {
-
-bool can_run(const Loops& loops) {
-  if (loops.sphere_sphere == nullptr) return false;
-#if defined(__x86_64__) || defined(__i386__)
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  if (&loops == &avx2_loops) return avx2;
-  if (&loops == &avx512_loops) return avx2 && __builtin_cpu_supports("avx512f");
-#endif
-  return true;
-}
-
-const Loops& best_loops() {
-  static const Loops& best = can_run(avx512_loops) ? avx512_loops
-                             : can_run(avx2_loops) ? avx2_loops
-                                                   : portable_loops;
-  return best;
-}
-
-}  // namespace batch
-
 //! [sweep_batch]
 void sweep(const MovingSpheres& p, const MovingSpheres& q, std::span<double> times) {
   require_equal(q.size(), p.size(), "batch of spheres q");
   require_equal(times.size(), p.size(), "span of times");
-  batch::best_loops().sphere_sphere(flat(p), flat(q), times.size(), times.data());
+  batch::sphere_sphere(flat(p), flat(q), times.size(), times.data());
 }
 
 void sweep(const MovingSpheres& spheres, const Plane& plane, std::span<double> times) {
   require_equal(times.size(), spheres.size(), "span of times");
-  batch::best_loops().sphere_plane(flat(spheres), flat(plane), times.size(), times.data());
+  batch::sphere_plane(flat(spheres), flat(plane), times.size(), times.data());
 }
 
 void sweep(const MovingBoxes& boxes, const Plane& plane, std::span<double> times) {
   require_equal(times.size(), boxes.size(), "span of times");
-  batch::best_loops().box_plane(flat(boxes), flat(plane), times.size(), times.data());
+  batch::box_plane(flat(boxes), flat(plane), times.size(), times.data());
 }
 //! [sweep_batch]
 

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstddef>
+
+/// \file
+/// The loops behind a batch. Each is compiled for several kinds of processor, and takes the best that is there
+/// when the program runs; the library for that is Google's Highway.
+
+namespace first_contact::batch {
+
+/// Where the numbers of many vectors stand.
+struct Vectors {
+  const double *x, *y, *z;
+};
+
+/// Where the numbers of many moving spheres stand.
+struct Spheres {
+  Vectors center;
+  const double* radius;
+  Vectors displacement;
+};
+
+/// Where the numbers of many moving boxes stand.
+struct Boxes {
+  Vectors center, r, s, t, displacement;
+};
+
+/// [N, D].
+struct FlatPlane {
+  double x, y, z, offset;
+};
+
+/// Writes `count` times: p[i] against q[i].
+void sphere_sphere(const Spheres& p, const Spheres& q, std::size_t count, double* times);
+/// Writes `count` times: each sphere against the plane.
+void sphere_plane(const Spheres& spheres, const FlatPlane& plane, std::size_t count, double* times);
+/// Writes `count` times: each box against the plane.
+void box_plane(const Boxes& boxes, const FlatPlane& plane, std::size_t count, double* times);
+
+}  // namespace first_contact::batch
