@@ -4,6 +4,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "first_contact/geometry/weld.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -114,23 +116,9 @@ bool comes_before(const Point& p, const Point& q) {
   return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
 }
 
-MeshEdges::MeshEdges(const Mesh& mesh) {
-  merge_vertices(mesh);
+MeshEdges::MeshEdges(const Mesh& mesh) : representative_(welded(mesh.vertices())) {
   collect_edges(mesh);
   collect_surroundings(mesh);
-}
-
-void MeshEdges::merge_vertices(const Mesh& mesh) {
-  const auto& vertices = mesh.vertices();
-  std::vector<Index> order(vertices.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index i, Index j) { return comes_before(vertices[i], vertices[j]); });
-  representative_.resize(vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-    representative_[order[i]] = same ? representative_[order[i - 1]] : order[i];
-  }
 }
 
 void MeshEdges::collect_edges(const Mesh& mesh) {

@@ -77,7 +77,6 @@ class MeshEdges {
     }
   };
 
-  void merge_vertices(const Mesh& mesh);
   void collect_edges(const Mesh& mesh);
   void collect_surroundings(const Mesh& mesh);
 

@@ -3,27 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
+
+#include "first_contact/geometry/weld.hpp"
 
 namespace first_contact {
 namespace {
 
 using Index = std::uint32_t;
-
-// For each vertex one number that all vertices at its position have in common.
-std::vector<Index> positions_of(const Mesh& mesh) {
-  const auto& vertices = mesh.vertices();
-  const auto key = [&](Index i) { return std::tuple(vertices[i].x(), vertices[i].y(), vertices[i].z()); };
-  std::vector<Index> order(vertices.size()), position(vertices.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return key(i) < key(j); });
-  for (std::size_t k = 0; k < order.size(); ++k)
-    position[order[k]] = k > 0 && key(order[k]) == key(order[k - 1]) ? position[order[k - 1]] : order[k];
-  return position;
-}
 
 bool is_degenerate(const Triangle& t) {
   const double sides = (t.b - t.a).stableNorm() * (t.c - t.a).stableNorm();
@@ -49,7 +37,7 @@ std::size_t count_non_manifold(const std::vector<Mesh::Face>& faces) {
 
 //! [diagnose]
 MeshDefects diagnose(const Mesh& mesh) {
-  const std::vector<Index> position = positions_of(mesh);
+  const std::vector<Index> position = welded(mesh.vertices());
   MeshDefects defects;
   std::vector<Mesh::Face> sound;
   for (std::size_t i = 0; i < mesh.size(); ++i) {

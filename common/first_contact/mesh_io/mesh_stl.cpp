@@ -1,54 +1,53 @@
 #include <bit>
 #include <cmath>
-#include <map>
-#include <tuple>
 
+#include "first_contact/geometry/weld.hpp"
 #include "first_contact/mesh_io/mesh_formats.hpp"
 
 namespace first_contact {
 namespace {
 
-// STL repeats each corner in every triangle: equal positions become one vertex.
-class Welder {
- public:
-  std::uint32_t number_of(const Point& p) {
-    const auto [found, is_new] = numbers_.try_emplace({p.x(), p.y(), p.z()}, vertices.size());
-    if (is_new) vertices.push_back(p);
-    return static_cast<std::uint32_t>(found->second);
-  }
-
+// STL repeats each corner in every triangle: equal positions become one vertex, in the order of their first.
+Mesh mesh_of(const std::vector<Point>& corners) {
+  const std::vector<std::uint32_t> lowest = welded(corners);
   std::vector<Point> vertices;
-
- private:
-  std::map<std::tuple<double, double, double>, std::size_t> numbers_;
-};
+  std::vector<std::uint32_t> number(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const bool is_new = lowest[i] == i;
+    number[i] = is_new ? static_cast<std::uint32_t>(vertices.size()) : number[lowest[i]];
+    if (is_new) vertices.push_back(corners[i]);
+  }
+  std::vector<Mesh::Face> faces;
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+    faces.push_back({number[i], number[i + 1], number[i + 2]});
+  return {std::move(vertices), std::move(faces)};
+}
 
 // The lines facet, outer loop, vertex (three), endloop, endfacet, between solid and endsolid. The normal of a
 // facet is not read: it follows from the corners.
 Mesh read_text(const MeshBytes& file) {
-  Welder welder;
-  std::vector<Mesh::Face> faces;
-  std::vector<std::uint32_t> corners;
+  std::vector<Point> corners;
+  std::size_t in_loop = 0;
   bool open = false;  // between solid and endsolid
   TextLines lines(file);
   while (lines.next()) {
     const std::string_view word = lines.words()[0];
     if (open == (word == "solid")) lines.refuse("solid and endsolid must alternate");
     if (word == "vertex") {
-      corners.push_back(welder.number_of(lines.point(1)));
+      corners.push_back(lines.point(1));
+      ++in_loop;
     } else if (word == "endloop") {
-      if (corners.size() != 3) lines.refuse("a facet must have 3 vertices");
-      faces.push_back({corners[0], corners[1], corners[2]});
-      corners.clear();
+      if (in_loop != 3) lines.refuse("a facet must have 3 vertices");
+      in_loop = 0;
     } else if (word == "solid" || word == "endsolid") {
       open = word == "solid";
     } else if (word != "facet" && word != "outer" && word != "endfacet") {
       lines.refuse("\"" + std::string(word) + "\": must be a line of an STL file");
     }
-    if (!open && !corners.empty()) lines.refuse("the last facet is not complete");
+    if (!open && in_loop > 0) lines.refuse("the last facet is not complete");
   }
   if (open) lines.refuse("the file ends early: endsolid is missing");
-  return {std::move(welder.vertices), std::move(faces)};
+  return mesh_of(corners);
 }
 
 std::uint32_t word_at(const MeshBytes& file, std::size_t byte) {  // little-endian
@@ -76,14 +75,12 @@ Mesh read_binary(const MeshBytes& file) {
   if (have != record * count)
     file.refuse_byte(80, std::to_string(count) + " triangles need " + std::to_string(record * count) +
                              " bytes after the header, not " + std::to_string(have));
-  Welder welder;
-  std::vector<Mesh::Face> faces;
+  std::vector<Point> corners;
   for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record) {
     file.reached(byte);
-    faces.push_back({welder.number_of(point_at(file, byte)), welder.number_of(point_at(file, byte + 12)),
-                     welder.number_of(point_at(file, byte + 24))});
+    for (std::size_t corner = 0; corner < 3; ++corner) corners.push_back(point_at(file, byte + 12 * corner));
   }
-  return {std::move(welder.vertices), std::move(faces)};
+  return mesh_of(corners);
 }
 
 }  // namespace
