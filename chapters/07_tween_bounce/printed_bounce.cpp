@@ -1,19 +1,16 @@
 #include "printed_bounce.hpp"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
 namespace {
 
 void require(bool fine, const std::string& what, double value, const std::string& rule) {
-  if (fine && std::isfinite(value)) return;
-  std::ostringstream message;
-  message << "bounce's " << what << " " << value << ": must be finite" << rule;
-  throw std::invalid_argument(message.str());
+  if (!fine || !std::isfinite(value)) refuse("bounce's " + what, value, "must be finite" + rule);
 }
 
 void require_sound(const PrintedBounce& b) {
@@ -22,11 +19,11 @@ void require_sound(const PrintedBounce& b) {
   require(b.g >= 0, "g", b.g, " and not negative");
   require(b.dt > 0, "dt", b.dt, " and greater than zero");
   require(b.restitution >= 0 && b.restitution <= 1, "restitution", b.restitution, " and from 0 to 1");
-  if (b.samples == 0) throw std::invalid_argument("bounce's samples 0: must be at least 1");
+  if (b.samples == 0) refuse("bounce's samples 0", "must be at least 1");
 }
 
 [[noreturn]] void refuse_overflow(std::size_t sample) {
-  throw std::invalid_argument("bounce: the height at sample " + std::to_string(sample) + " must be finite");
+  refuse("bounce", "the height at sample " + std::to_string(sample) + " must be finite");
 }
 
 }  // namespace

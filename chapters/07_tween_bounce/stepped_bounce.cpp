@@ -1,19 +1,16 @@
 #include "stepped_bounce.hpp"
 
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <string>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
 namespace {
 
 void require(bool fine, const std::string& what, double value, const std::string& rule) {
-  if (fine && std::isfinite(value)) return;
-  std::ostringstream message;
-  message << "stepped bounce's " << what << " " << value << ": must be finite and " << rule;
-  throw std::invalid_argument(message.str());
+  if (!fine || !std::isfinite(value)) refuse("stepped bounce's " + what, value, "must be finite and " + rule);
 }
 
 }  // namespace

@@ -1,19 +1,18 @@
 #include "first_contact/batch/batch.hpp"
 
-#include <sstream>
-#include <stdexcept>
+#include <string>
 
 #include "first_contact/batch/loops.hpp"
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
 namespace {
 
 void require_equal(std::size_t length, std::size_t count, const char* what) {
-  if (length == count) return;
-  std::ostringstream message;
-  message << what << " of length " << length << ": must be of length " << count << ", as the others";
-  throw std::invalid_argument(message.str());
+  if (length != count)
+    refuse(what + (" of length " + std::to_string(length)),
+           "must be of length " + std::to_string(count) + ", as the others");
 }
 
 void require_equal(const Columns& columns, std::size_t count, const char* what) {

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -22,7 +24,7 @@ constexpr double outside_tolerance = 1e-10;
 constexpr double flat_tolerance = 1e-12;
 
 void require_points(std::span<const Point> points) {
-  if (points.empty()) throw std::invalid_argument("bounding shape of no points: there must be at least one");
+  if (points.empty()) refuse("bounding shape of no points", "there must be at least one");
   for (const Point& p : points)
     if (!p.allFinite()) require_finite(p, "bounding shape's point");
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -37,8 +39,7 @@ Bounds::Bounds(const Point& lowest, const Point& highest) : low(lowest), high(hi
   require_finite(low, "bounds' low corner");
   require_finite(high, "bounds' high corner");
   if (!(low.array() <= high.array()).all())
-    throw std::invalid_argument("bounds from (" + to_text(low) + ") to (" + to_text(high) +
-                                "): low must not be above high");
+    refuse("bounds from (" + to_text(low) + ") to (" + to_text(high) + ")", "low must not be above high");
 }
 
 double Bounds::largest_coordinate() const {

@@ -2,14 +2,15 @@
 
 #include <cmath>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 namespace {
 
 void require_perpendicular(const Vector& a, const Vector& b, const std::string& names) {
   if (std::abs(a.stableNormalized().dot(b.stableNormalized())) <= Box::perpendicular_tolerance) return;
-  throw std::invalid_argument("box's axes " + names + " (" + to_text(a) + ") and (" + to_text(b) +
-                              "): must be perpendicular");
+  refuse("box's axes " + names + " (" + to_text(a) + ") and (" + to_text(b) + ")", "must be perpendicular");
 }
 
 }  // namespace

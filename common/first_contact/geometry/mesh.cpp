@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 Mesh::Mesh(std::vector<Point> vertices, std::vector<Face> faces)
@@ -12,9 +14,8 @@ Mesh::Mesh(std::vector<Point> vertices, std::vector<Face> faces)
   for (std::size_t i = 0; i < faces_.size(); ++i)
     for (const std::uint32_t vertex : faces_[i])
       if (vertex >= vertices_.size())
-        throw std::invalid_argument("mesh's face " + std::to_string(i) + " names vertex " +
-                                    std::to_string(vertex) + ": must be below " +
-                                    std::to_string(vertices_.size()));
+        refuse("mesh's face " + std::to_string(i) + " names vertex " + std::to_string(vertex),
+               "must be below " + std::to_string(vertices_.size()));
 }
 
 Triangle Mesh::triangle(std::size_t i) const {

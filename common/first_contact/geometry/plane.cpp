@@ -3,16 +3,18 @@
 #include <cmath>
 #include <sstream>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 //! [plane]
 Plane::Plane(const Vector& normal, double offset) {
   const double length = normal.stableNorm();
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset / length)) {
-    std::ostringstream message;
-    message << "plane [" << to_text(normal) << ", " << offset << "]: the normal must be finite and not zero, "
-            << "and the offset, divided by its length, finite";
-    throw std::invalid_argument(message.str());
+    std::ostringstream plane;
+    plane << "plane [" << to_text(normal) << ", " << offset << "]";
+    refuse(plane.str(),
+           "the normal must be finite and not zero, and the offset, divided by its length, finite");
   }
   coefficients_ << normal / length, offset / length;
 }

@@ -3,17 +3,16 @@
 #include <cmath>
 #include <sstream>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 void require_finite(const Vector& value, const std::string& what) {
-  if (!value.allFinite()) throw std::invalid_argument(what + " " + to_text(value) + ": must be finite");
+  if (!value.allFinite()) refuse(what + " " + to_text(value), "must be finite");
 }
 
 void require_length(double value, const std::string& what) {
-  if (std::isfinite(value) && value >= 0) return;
-  std::ostringstream message;
-  message << what << " " << value << ": must be finite and not negative";
-  throw std::invalid_argument(message.str());
+  if (!std::isfinite(value) || value < 0) refuse(what, value, "must be finite and not negative");
 }
 
 std::string to_text(const Vector& value) {

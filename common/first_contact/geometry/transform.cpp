@@ -3,17 +3,15 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
 namespace {
 
 void require(bool rule, const std::string& what, double value, const std::string& text) {
-  if (rule) return;
-  std::ostringstream message;
-  message << what << ' ' << value << ": must be " << text;
-  throw std::invalid_argument(message.str());
+  if (!rule) refuse(what, value, "must be " + text);
 }
 
 // The determinant (sign -1) or the permanent (sign +1), by the 2x2 minors of the upper rows and those of the
@@ -46,13 +44,13 @@ bool is_singular(const Matrix& m) {
 }
 
 Transform::Transform(const Matrix& m) : matrix_(m) {
-  if (!m.allFinite()) throw std::invalid_argument("transform's matrix: every entry must be finite");
-  if (is_singular(m)) throw std::invalid_argument("transform's matrix: must not be singular");
+  if (!m.allFinite()) refuse("transform's matrix", "every entry must be finite");
+  if (is_singular(m)) refuse("transform's matrix", "must not be singular");
   const Eigen::FullPivLU<Matrix> parts(m);
   for (int column = 0; column < 4; ++column)
     inverse_.col(column) = parts.solve(Homogeneous(Matrix::Identity().col(column)));
   if (is_affine()) inverse_.row(3) = m.row(3);  // [0, 0, 0, 1] exactly
-  if (!inverse_.allFinite()) throw std::invalid_argument("transform's matrix: must have a finite inverse");
+  if (!inverse_.allFinite()) refuse("transform's matrix", "must have a finite inverse");
 }
 
 Transform Transform::affine(const Eigen::Matrix3d& linear, const Vector& translation) {
@@ -121,7 +119,7 @@ Rigid Rigid::moved_by(const Vector& shift) { return {Eigen::Quaterniond::Identit
 Rigid Rigid::turned(const Vector& axis, double angle) {
   require_finite(axis, "axis of rotation");
   require(std::isfinite(angle), "angle of rotation", angle, "finite");
-  if (axis.isZero(0)) throw std::invalid_argument("axis of rotation " + to_text(axis) + ": must not be zero");
+  if (axis.isZero(0)) refuse("axis of rotation " + to_text(axis), "must not be zero");
   return {Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.stableNormalized())), Vector::Zero()};
 }
 

@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
 namespace {
 
 void require(bool fine, const std::string& what, double value, const std::string& rule) {
-  if (fine && std::isfinite(value)) return;
-  std::ostringstream message;
-  message << "bounce's " << what << " " << value << ": must be " << rule;
-  throw std::invalid_argument(message.str());
+  if (!fine || !std::isfinite(value)) refuse("bounce's " + what, value, "must be " + rule);
 }
 
 //! [geometric_sum]

@@ -5,12 +5,14 @@
 #include <string>
 #include <utility>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 namespace {
 
 void require_control_points(const std::vector<Point>& points, const std::string& what) {
-  if (points.empty()) throw std::invalid_argument(what + ": must have a control point");
+  if (points.empty()) refuse(what, "must have a control point");
   for (std::size_t i = 0; i < points.size(); ++i)
     require_finite(points[i], what + "'s control point " + std::to_string(i));
 }
@@ -61,25 +63,23 @@ BSpline::BSpline(std::vector<Point> control_points, std::size_t degree, std::vec
 }
 
 void BSpline::require_sound() const {
-  const auto refuse = [](const std::string& what, const std::string& rule) {
-    throw std::invalid_argument("B-spline's " + what + ": " + rule);
-  };
   require_control_points(control_, "B-spline");
   const std::string degree = std::to_string(degree_), points = std::to_string(control_.size());
   if (control_.size() <= degree_)
-    refuse(points + " control points", "must be more than the degree, " + degree);
+    refuse("B-spline's " + points + " control points", "must be more than the degree, " + degree);
   if (knots_.size() != control_.size() + degree_ + 1)
-    refuse(std::to_string(knots_.size()) + " knots", "must be control points + degree + 1");
+    refuse("B-spline's " + std::to_string(knots_.size()) + " knots", "must be control points + degree + 1");
   for (std::size_t i = 0; i < knots_.size(); ++i) {
-    const std::string knot = "knot " + std::to_string(i);
+    const std::string knot = "B-spline's knot " + std::to_string(i);
     if (!std::isfinite(knots_[i])) refuse(knot, "must be finite");
     if (i > 0 && knots_[i] < knots_[i - 1]) refuse(knot, "must not be less than the one before");
   }
   for (std::size_t i = 1; i < control_.size(); ++i)
     if (degree_ > 0 && !(knots_[i] < knots_[i + degree_]))
-      refuse("knots from number " + std::to_string(i),
+      refuse("B-spline's knots from number " + std::to_string(i),
              "must not coincide more often than the degree, " + degree);
-  if (!(first() < last()) || !std::isfinite(last() - first())) refuse("knots", "must span a finite interval");
+  if (!(first() < last()) || !std::isfinite(last() - first()))
+    refuse("B-spline's knots", "must span a finite interval");
 }
 
 // The piece [knot, next) that holds x; the very end, and what is beyond, belongs to the last of all.

@@ -1,6 +1,6 @@
 #include "first_contact/motion/sweep_along.hpp"
 
-#include <sstream>
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
@@ -8,18 +8,12 @@ namespace {
 
 constexpr double most_chords = 1e7;
 
-[[noreturn]] void refuse(double deviation, const std::string& rule) {
-  std::ostringstream message;
-  message << "sweep's deviation " << deviation << ": " << rule;
-  throw std::invalid_argument(message.str());
-}
-
 }  // namespace
 
 //! [chords]
 std::vector<double> chords(const Curve& curve, double deviation) {
   if (!(deviation > 0) || !std::isfinite(deviation))
-    refuse(deviation, "must be finite and greater than zero");
+    refuse("sweep's deviation", deviation, "must be finite and greater than zero");
   const double bend = longest_control_vector(derivative(derivative(curve)));
   const std::vector<double> joints = breaks(curve);
   std::vector<double> u{0};
@@ -27,7 +21,7 @@ std::vector<double> chords(const Curve& curve, double deviation) {
     const double span = joints[i] - joints[i - 1];
     const double needed = std::max(1.0, std::ceil(span * std::sqrt(bend / deviation / 8)));
     if (!(static_cast<double>(u.size()) + needed <= most_chords))
-      refuse(deviation, "too small for this curve");
+      refuse("sweep's deviation", deviation, "too small for this curve");
     const auto count = static_cast<std::size_t>(needed);
     for (std::size_t k = 1; k < count; ++k)
       u.push_back(joints[i - 1] + span * static_cast<double>(k) / static_cast<double>(count));

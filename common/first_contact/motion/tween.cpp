@@ -6,20 +6,21 @@
 #include <string>
 #include <utility>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
 
 namespace {
 
 template <class Key>
 void require_keys(const std::vector<Key>& keys) {
-  if (keys.empty()) throw std::invalid_argument("tween: must have a key frame");
+  if (keys.empty()) refuse("tween", "must have a key frame");
   for (std::size_t i = 0; i < keys.size(); ++i) {
     std::ostringstream what;
     what << "tween's key frame " << i << ", time " << keys[i].time;
-    if (!std::isfinite(keys[i].time)) throw std::invalid_argument(what.str() + ": must be finite");
-    if (i > 0 && !(keys[i].time > keys[i - 1].time))
-      throw std::invalid_argument(what.str() + ": must be later than the one before");
-    if (!keys[i].easing) throw std::invalid_argument(what.str() + ": must have an easing");
+    if (!std::isfinite(keys[i].time)) refuse(what.str(), "must be finite");
+    if (i > 0 && !(keys[i].time > keys[i - 1].time)) refuse(what.str(), "must be later than the one before");
+    if (!keys[i].easing) refuse(what.str(), "must have an easing");
     require_finite(keys[i].position, what.str() + ", position");
   }
 }
@@ -85,8 +86,7 @@ RigidTween::RigidTween(std::vector<Pose> poses) : poses_(std::move(poses)) {
   require_keys(poses_);
   for (Pose& pose : poses_) {
     const double length = pose.orientation.norm();
-    if (!(length > 0) || !std::isfinite(length))
-      throw std::invalid_argument("tween's orientation: must be finite and not zero");
+    if (!(length > 0) || !std::isfinite(length)) refuse("tween's orientation", "must be finite and not zero");
     pose.orientation.coeffs() /= length;
   }
 }

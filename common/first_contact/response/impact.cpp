@@ -1,24 +1,15 @@
 #include "first_contact/response/impact.hpp"
 
 #include <cmath>
-#include <sstream>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
-
-namespace {
-
-[[noreturn]] void refuse(const char* what, double value, const char* rule) {
-  std::ostringstream message;
-  message << what << " " << value << ": " << rule;
-  throw std::invalid_argument(message.str());
-}
-
-}  // namespace
 
 template <int Dimension>
 Body<Dimension>::Body(double m, const Velocity& v) : mass(m), velocity(v) {
   if (!(mass > 0)) refuse("mass", mass, "must be positive");
-  if (!velocity.allFinite()) throw std::invalid_argument("velocity: must be finite");
+  if (!velocity.allFinite()) refuse("velocity", "must be finite");
 }
 
 //! [impact]
@@ -27,14 +18,14 @@ Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
                          const Eigen::Matrix<double, Dimension, 1>& normal, double restitution) {
   if (!(restitution >= 0 && restitution <= 1)) refuse("restitution", restitution, "must be in 0 .. 1");
   const double n2 = normal.squaredNorm();
-  if (!(n2 > 0) || !std::isfinite(n2)) throw std::invalid_argument("normal: must be finite and not zero");
+  if (!(n2 > 0) || !std::isfinite(n2)) refuse("normal", "must be finite and not zero");
 
   const double approach = (p.velocity - q.velocity).dot(normal);
   if (!(approach < 0)) return {p.velocity, q.velocity, 0 * normal};
 
   // Masses act by their inverses, so that 0 can stand for a body that nothing moves.
   const double inverse_p = 1 / p.mass, inverse_q = 1 / q.mass;
-  if (inverse_p + inverse_q == 0) throw std::invalid_argument("masses: at most one may be infinite");
+  if (inverse_p + inverse_q == 0) refuse("masses", "at most one may be infinite");
   const double impulse = -(1 + restitution) * approach / (n2 * (inverse_p + inverse_q));
   return {p.velocity + (impulse * inverse_p) * normal, q.velocity - (impulse * inverse_q) * normal,
           impulse * normal};

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
@@ -63,9 +64,9 @@ StageObject::StageObject(std::span<const Point2> outline, const Eigen::Affine2d&
     outline_.emplace_back(to_stage * corner);
     box_.extend(outline_.back());
     if (outline_.back().allFinite()) continue;
-    std::ostringstream message;
-    message << "outline's corner " << corner.x() << ", " << corner.y() << ": must be finite on the stage";
-    throw std::invalid_argument(message.str());
+    std::ostringstream what;
+    what << "outline's corner " << corner.x() << ", " << corner.y();
+    refuse(what.str(), "must be finite on the stage");
   }
 }
 

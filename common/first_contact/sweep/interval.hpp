@@ -1,7 +1,8 @@
 #pragma once
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
+
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
@@ -10,9 +11,9 @@ struct Interval {
   /// \throws std::invalid_argument if an end is not finite, or the first comes after the last.
   Interval(double t_m, double t_n) : first(t_m), last(t_n) {
     if (std::isfinite(first) && std::isfinite(last) && first <= last) return;
-    std::ostringstream message;
-    message << "interval " << first << ", " << last << ": both ends must be finite, and in order";
-    throw std::invalid_argument(message.str());
+    std::ostringstream ends;
+    ends << "interval " << first << ", " << last;
+    refuse(ends.str(), "both ends must be finite, and in order");
   }
 
   ///@{

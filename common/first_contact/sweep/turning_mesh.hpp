@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "first_contact/geometry/mesh.hpp"
+#include "first_contact/geometry/refuse.hpp"
 #include "first_contact/sweep/contact.hpp"
 
 namespace first_contact {
@@ -21,9 +22,8 @@ struct Turning {
       : shape(std::move(s)), center(hinge), axis(direction.stableNormalized()), angle(by) {
     require_finite(center, "hinge");
     require_finite(direction, "axis");
-    if (direction.isZero(0)) throw std::invalid_argument("axis 0, 0, 0: must not be zero");
-    if (!std::isfinite(angle))
-      throw std::invalid_argument("angle " + std::to_string(angle) + ": must be finite");
+    if (direction.isZero(0)) refuse("axis 0, 0, 0", "must not be zero");
+    if (!std::isfinite(angle)) refuse("angle", angle, "must be finite");
   }
 
   Shape shape;   ///< where it is at t = 0
