@@ -1,9 +1,7 @@
 // Chapter 1: a moving sphere meets a plane (paper, 1.2).
-#include <cmath>
-#include <limits>
-
 #include "figures/figures.hpp"
 #include "first_contact/program/program.hpp"
+#include "first_contact/sweep/plane_error.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 
 using namespace first_contact;
@@ -33,8 +31,9 @@ void tell(Report& report, const Scene& scene, const Moving<Sphere>& ball,
              {"distance of the centre at t = 0", "t = 0 時球心的距離"});
   report.row("E.S1", scene.plane.signed_distance(scene.to),
              {"distance of the centre at t = 1", "t = 1 時球心的距離"});
-  report.row("N.V", n.dot(ball.displacement),
-             {"how much the centre rises; toward the plane if it is nearer after", "球心沿法向量的位移"});
+  report.row(
+      "N.V", n.dot(ball.displacement),
+      {"how much the centre rises in one motion; negative: it sinks", "球心沿法向量的位移，負值表示下降"});
 
   if (!contact) return report.say({"No contact within 0 <= t <= 1.", "0 <= t <= 1 之間沒有發生碰撞"});
   report.say({"The first contact: the centre meets the plane moved out by r, E' = [N, D - r]",
@@ -54,7 +53,7 @@ void tell_corrections(Report& report, const Scene& scene, const Moving<Sphere>& 
     return denominator != 0 ? readable(numerator / denominator) : std::string("-");
   };
   report.say({"As printed: any N will do, and any N.V but 0 is a collision",
-              "論文所印：N 不限單位長，N.V 不為零就會碰撞"});
+              "論文原式：N 不限單位長，N.V 不為零就會碰撞"});
   report.row("t with N", time(scene.radius - distance, toward), {"N of unit length", "N 為單位向量"});
   report.row("t with 2N", time(scene.radius - 2 * distance, 2 * toward),
              {"the same plane with N twice as long: another time", "同一平面，N 為兩倍長：時間不同"});
@@ -83,12 +82,13 @@ void give_results(Program& program, const Scene& scene, const Moving<Sphere>& ba
 
 //! [notes]
 // Numbers that the notes speak of: the printed formula without a test, and the error bound of `sweep`.
-void note(Program& program, const Scene& scene, const Moving<Sphere>& ball) {
+void note(Program& program, const Scene& scene, const Moving<Sphere>& ball,
+          const std::optional<Contact>& contact) {
   const double distance = scene.plane.signed_distance(scene.from);
   const double toward = scene.plane.normal().dot(ball.displacement);
-  const double eps = std::numeric_limits<double>::epsilon();
   program.value("radius", scene.radius);
   program.value("toward", toward);
+  program.value("closing", -toward);
   program.value("gap", distance - scene.radius);
   program.value("gap_end", scene.plane.signed_distance(scene.to) - scene.radius);
   program.value("printed_time", (scene.radius - distance) / toward);
@@ -97,8 +97,9 @@ void note(Program& program, const Scene& scene, const Moving<Sphere>& ball) {
     program.value(name + "_time", (scene.radius - length * distance) / (length * toward));
     program.value(name + "_height", scene.radius / length);
   }
-  program.value("error_bound", 8 * eps * (scene.from.norm() + std::abs(scene.plane.offset()) + scene.radius) /
-                                   std::abs(toward));
+  program.value("error_bound",
+                error_of_time(lengths_of(ball.shape, scene.plane),
+                              (contact ? contact->time : 1) * ball.displacement.norm(), toward));
 }
 //! [notes]
 
@@ -120,7 +121,7 @@ int main(int argc, char** argv) {
     tell(program.report(), scene, ball, contact);
     tell_corrections(program.report(), scene, ball);
     give_results(program, scene, ball, contact);
-    note(program, scene, ball);
+    note(program, scene, ball, contact);
     if (program.draws()) draw_plane_figures(program, scene.plane, ball, contact);
   });
 }

@@ -1,10 +1,10 @@
 // Chapter 2: a moving box meets a plane (paper, 1.3), what a camera rejects, and box or sphere (1.1, 3.2.1).
 #include <cmath>
-#include <limits>
 
 #include "figures/figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/box_plane.hpp"
+#include "first_contact/sweep/plane_error.hpp"
 #include "studies.hpp"
 
 using namespace first_contact;
@@ -123,8 +123,10 @@ void tell_bounding(Report& report, Language language) {
     row(shape, shape.upright, {"upright box", "正匣面"});
     row(shape, shape.turned, {"turned box", "斜匣面"});
   }
+  const auto [sphere, upright, turned] = box_chapter::multiplications();
   report.row(
-      "multiplications", std::string("3, 6, 12"),
+      "multiplications",
+      std::to_string(sphere) + ", " + std::to_string(upright) + ", " + std::to_string(turned),
       {"to test a plane: sphere, upright box, turned box", "每測一平面的乘法次數：球面、正匣面、斜匣面"});
 }
 //! [report]
@@ -150,7 +152,6 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   const auto& [box, motion] = moving;
   const Vector n = scene.plane.normal();
   const double radius = box.effective_radius(n), distance = scene.plane.signed_distance(box.center);
-  const double half_sum = 0.5 * (box.r.norm() + box.s.norm() + box.t.norm());
   const double one_sign = 0.5 * std::abs(n.dot(box.r + box.s + box.t));
   const Vector lengths(box.r.norm(), box.s.norm(), box.t.norm());
   for (int i = 0; i < 3; ++i) program.value("size." + std::to_string(i), lengths[i]);
@@ -159,16 +160,14 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   program.value("t_n", box.t.dot(n));
   program.value("distance", distance);
   program.value("toward", n.dot(motion));
+  program.value("closing", -n.dot(motion));
   program.value("gap", std::abs(distance) - radius);
   program.value("depth", radius - std::abs(distance));  // of the lowest vertex, if they overlap
   program.value("thinnest", 0.5 * lengths.minCoeff());
   program.value("half_diagonal", 0.5 * lengths.norm());
   program.value("one_sign", one_sign);
   program.value("one_sign_depth", radius - one_sign);
-  const double eps = std::numeric_limits<double>::epsilon();
-  program.value("error_bound",
-                8 * eps * (scene.from.norm() + std::abs(scene.plane.offset()) + half_sum + motion.norm()) /
-                    std::abs(n.dot(motion)));
+  program.value("error_bound", error_of_time(lengths_of(box, scene.plane), motion.norm(), n.dot(motion)));
 }
 
 // ... and of the studies.
@@ -188,6 +187,10 @@ void note_studies(Program& program) {
   const auto sights = box_chapter::sights();
   program.value("sight.off_edge.distance", sights.back().distance);
   program.value("sight.off_edge.radius", sights.back().radius);
+  const box_chapter::Multiplications cost = box_chapter::multiplications();
+  program.value("multiplications.sphere", cost.sphere);
+  program.value("multiplications.upright", cost.upright);
+  program.value("multiplications.turned", cost.turned);
   for (const auto& shape : box_chapter::bounded_shapes()) {
     const std::string name = shape.name.english.substr(shape.name.english.rfind(' ') + 1);
     const auto note = [&](const std::string& kind, const auto& bounding) {

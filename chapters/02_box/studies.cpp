@@ -6,6 +6,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "first_contact/program/counted.hpp"
+
 using namespace first_contact;
 
 namespace box_chapter {
@@ -124,6 +126,21 @@ double more_often(const Box& box, const std::vector<Point>& points) {
   return mean_over_directions([&](const Vector& n) { return 2 * box.effective_radius(n); }) /
          mean_width(points);
 }
+
+//! [multiplications]
+Multiplications multiplications() {
+  using program::Counted;
+  using Counted3 = Eigen::Matrix<Counted, 3, 1>;
+  const Counted3 n = Counted3::Ones(), center = n, half = n;
+  const Eigen::Matrix<Counted, 3, 3> half_axes = Eigen::Matrix<Counted, 3, 3>::Identity();
+  const Counted d = 1;
+  const auto distance = [&] { return n.dot(center) + d; };
+  return {
+      Counted::in(distance).multiplications,
+      Counted::in([&] { return distance() - half.dot(n.cwiseAbs()); }).multiplications,
+      Counted::in([&] { return distance() - (half_axes.transpose() * n).cwiseAbs().sum(); }).multiplications};
+}
+//! [multiplications]
 
 std::string rounded(double value, int digits) {
   std::ostringstream text;

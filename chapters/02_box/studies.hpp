@@ -67,6 +67,12 @@ std::array<Bounded, 3> bounded_shapes();
 double more_often(const Sphere& sphere, const std::vector<Point>& points);
 double more_often(const Box& box, const std::vector<Point>& points);
 
+/// How many multiplications the test of one plane takes, counted: half of each axis is kept, not all of it.
+struct Multiplications {
+  int sphere, upright, turned;
+};
+Multiplications multiplications();
+
 /// A number with that many digits after the point: enough for a comparison.
 std::string rounded(double value, int digits = 2);
 

@@ -3,6 +3,7 @@
 import {existsSync} from 'node:fs';
 import {basename, dirname, join, resolve} from 'node:path';
 import {chapters, complain, data, docs, escape, fromRoot, otherPages, read, root} from './book.mjs';
+import {cost} from './cost.mjs';
 import {inlineFigure} from './figure.mjs';
 import {formula} from './formula.mjs';
 import {checkPage, filesOf, whereTold} from './library.mjs';
@@ -64,13 +65,17 @@ class Page {
     }
   }
 
-  // {{plane.contact.time}}, {{plane.contact.time:.3f}}, {{typed 0.07 | why}}, {{figure touch}}, {{eq 1.2.3}}
+  // {{plane.contact.time}}, {{plane.contact.time:.3f}}, {{typed 0.07 | why}}, {{cost root: file tag}}, {{figure touch}}, {{eq 1.2.3}}
   number(body, index, inFormula) {
     return this.attempt(index, () => {
       const typed = /^typed\s+(.*?)\s*\|\s*(.+)$/.exec(body);
       if (typed) {
         shown.typed.push({where: this.where(index), number: typed[1], reason: typed[2]});
         return inFormula ? typed[1] : typed[1].replace(/^-/, '−');
+      }
+      if (/^cost /i.test(body)) {
+        const words = cost(body.slice(5));
+        return body.startsWith('C') ? words[0].toUpperCase() + words.slice(1) : words;
       }
       const [name, form] = body.split(':');
       return formatted(valueOf(name.trim()), form?.trim(), inFormula);

@@ -81,7 +81,7 @@ set xrange [-3.31884598:2.99339541]
 set yrange [-1.15488431:3.1367112]
 set label "{/:Italic S}_0" at -0.822190912,2.75634025 center offset character 0,0.9 front tc rgb INK
 set label "{/:Italic S}({/:Italic t})" at 0.496740343,0.582142617 center offset character 2,0.4 front tc rgb INK
-set label "{/:Bold V}" at -0.162725285,1.34034902 center offset character 1.2,0.5 front tc rgb RED
+set label "{/:Italic t}{/:Bold V}" at -0.162725285,1.34034902 center offset character 1.2,0.5 front tc rgb RED
 set label "{/:Bold N}" at -2.35014029,0.584236133 center offset character 1.4,-0.4 front tc rgb INK
 set label "{/:Italic E}" at 2.65523962,0.211983937 left offset character 0.6,0 front tc rgb BLUE
 set label "{/:Italic E}′" at 2.65523962,0.869768771 left offset character 0.6,0 front tc rgb GREY

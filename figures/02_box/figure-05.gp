@@ -84,7 +84,7 @@ set label "{/:Bold N}" at -0.716811835,0.346622342 center offset character 1.6,-
 set label "{/:Italic E}" at 1.71094669,0.0415537955 left offset character 0.6,0 front tc rgb BLUE
 set label "{/:Italic E}′" at 1.71094669,0.497268376 left offset character 0.6,0 front tc rgb GREY
 set label "{/:Italic Q}({/:Italic t})" at 0.475804926,0.390251802 center offset character 1.9,0.5 front tc rgb INK
-set label "{/:Bold V}" at 0.237902463,0.670654159 center offset character 1.3,0.8 front tc rgb RED
+set label "{/:Italic t}{/:Bold V}" at 0.237902463,0.670654159 center offset character 1.3,0.8 front tc rgb RED
 set label "{/:Italic Q}_0" at 0,1.4067711 center offset character 0,0.9 front tc rgb INK
 set label "{/:Italic C}" at 0.382728778,-0.0667512787 center offset character 0.2,-0.9 front tc rgb INK
 $s0 << EOD

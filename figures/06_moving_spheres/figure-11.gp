@@ -83,8 +83,8 @@ set label "{/:Italic P}_1" at -3.2,0 center offset character -1.2,0.4 front tc r
 set label "{/:Italic P}_2" at 1.8,0.5 center offset character 1.2,0.4 front tc rgb INK
 set label "{/:Italic Q}_1" at 1.5,3.1 center offset character 1.3,0.4 front tc rgb INK
 set label "{/:Italic Q}_2" at -0.5,0.6 center offset character -1.3,0.4 front tc rgb INK
-set label "{/:Bold V}_{/:Italic P}" at -1.6,0.16 center offset character 0,0.9 front tc rgb RED
-set label "{/:Bold V}_{/:Italic Q}" at 0.66,2.05 center offset character -1.5,0.4 front tc rgb RED
+set label "{/:Bold V}_{/:Italic p}" at -1.6,0.16 center offset character 0,0.9 front tc rgb RED
+set label "{/:Bold V}_{/:Italic q}" at 0.66,2.05 center offset character -1.5,0.4 front tc rgb RED
 $s0 << EOD
 3 0.5
 2.9942 0.61762

@@ -28,10 +28,9 @@ std::vector<ExactVector> exact_vertices(const Box& box) {
 
 // The error of one sweep in units of its stated bound.
 double judged(const Box& box, const Vector& v, const GivenPlane& given) {
-  const auto contact = sweep(Moving{box, v}, Plane(given.normal, given.offset));
-  const double reach = box.center.norm() + std::abs(given.offset) / given.normal.norm() +
-                       0.5 * (box.r.norm() + box.s.norm() + box.t.norm());
-  return error_in_bounds(truth(box.center, exact_vertices(box), 0, v, given), contact, reach, v.norm());
+  const Plane plane(given.normal, given.offset);
+  return error_in_bounds(truth(box.center, exact_vertices(box), 0, v, given), sweep(Moving{box, v}, plane),
+                         lengths_of(box, plane), v.norm());
 }
 
 // A box of random size that is turned at random; every third one is flat.

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "first_contact/sweep/contact.hpp"
+#include "first_contact/sweep/plane_error.hpp"
 
 /// \file
 /// What is true of shapes that move towards a plane, in 50 digits, by formulas of its own: a box is its eight
@@ -55,17 +56,17 @@ Truth truth(const Point& center, const Corners& corners, double radius, const Ve
   return {nearest - Exact(radius), side * dot(n, exact(v)) / length};
 }
 
-/// The error of an answer, in units of the bound that its header states: 8 eps (reach + t |V|) / |N.V|, where
-/// `reach` is the sum of the lengths in the scene. An answer that differs in kind is held to the same bound:
+/// The error of an answer, in units of the bound that the library and the notes state, `error_of_time`, where
+/// `lengths` are those of the scene. An answer that differs in kind is held to the same bound:
 /// the motion must then end, to within it, where the contact begins.
 inline double error_in_bounds(const Truth& truth, const std::optional<first_contact::Contact>& contact,
-                              double reach, double speed) {
+                              double lengths, double speed) {
   const double epsilon = std::numeric_limits<double>::epsilon();
   if (!contact && !truth.hit()) return 0;
   if (!contact && truth.approach >= -Exact(2 * epsilon * speed)) return 0;  // parallel, to within rounding
   if (contact && truth.approach >= 0) return truth.approach <= Exact(2 * epsilon * speed) ? 0 : 1e300;
   const Exact answer = contact ? Exact(contact->time) : Exact(1);
-  const Exact bound = 8 * Exact(epsilon) * (Exact(reach) + answer * Exact(speed)) / abs(truth.approach);
+  const Exact bound = first_contact::error_of_time<Exact>(lengths, answer * speed, truth.approach);
   return static_cast<double>(Exact(abs(answer - truth.time()) / bound));
 }
 

@@ -10,10 +10,11 @@ namespace {
 
 // The error of one sweep in units of its stated bound.
 double judged(const Point& s, double r, const Vector& v, const GivenPlane& given) {
-  const auto contact = sweep(Moving{Sphere{s, r}, v}, Plane(given.normal, given.offset));
+  const Sphere sphere{s, r};
+  const Plane plane(given.normal, given.offset);
   const std::array<ExactVector, 1> center{exact(s)};
-  const double reach = s.norm() + std::abs(given.offset) / given.normal.norm() + r;
-  return error_in_bounds(truth(s, center, r, v, given), contact, reach, v.norm());
+  return error_in_bounds(truth(s, center, r, v, given), sweep(Moving{sphere, v}, plane),
+                         lengths_of(sphere, plane), v.norm());
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ void draw_sweep(const Studio& studio, const Plane& any_plane, const Moving<Spher
   const Vector over = n.dot(view.up()) > 0.5 ? n : view.up();
   scene.label("{/:Italic S}_0", s0 + r * over, 0, 0.9);
   scene.label(contact ? "{/:Italic S}({/:Italic t})" : "{/:Italic S}_1", end, 2.0, 0.4);
-  scene.label("{/:Bold V}", 0.5 * (s0 + end), 1.2, 0.5, colour::red);
+  scene.label(contact ? "{/:Italic t}{/:Bold V}" : "{/:Bold V}", 0.5 * (s0 + end), 1.2, 0.5, colour::red);
   scene.label("{/:Bold N}", middle - 0.8 * half_u - 0.7 * half_v + r * n, 1.4, -0.4);
   scene.label("{/:Italic E}", middle + half_u + half_v, 0.6, 0, colour::blue, Align::left);
   scene.label("{/:Italic E}′", middle + half_u + half_v + r * n, 0.6, 0, colour::grey, Align::left);

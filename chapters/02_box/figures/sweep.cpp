@@ -62,7 +62,7 @@ void name_parts(figure::Scene& scene, const Point& q0, const Point& end, bool co
   scene.dot(q0);
   scene.dot(end);
   scene.label(contact ? "{/:Italic Q}({/:Italic t})" : "{/:Italic Q}_1", end, 1.9, 0.5);
-  scene.label("{/:Bold V}", 0.5 * (q0 + end), 1.3, 0.8, colour::red);
+  scene.label(contact ? "{/:Italic t}{/:Bold V}" : "{/:Bold V}", 0.5 * (q0 + end), 1.3, 0.8, colour::red);
 }
 
 void name_planes(figure::Scene& scene, const Point& corner, const Point& foot, const Vector& offset) {

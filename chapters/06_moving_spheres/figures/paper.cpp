@@ -34,8 +34,8 @@ void draw_motions(const Studio& studio) {
   scene.label("{/:Italic P}_2", at(p, 1), 1.2, 0.4);
   scene.label("{/:Italic Q}_1", at(q, 0), 1.3, 0.4);
   scene.label("{/:Italic Q}_2", at(q, 1), -1.3, 0.4);
-  scene.label("{/:Bold V}_{/:Italic P}", at(p, 0.32), 0, 0.9, colour::red);
-  scene.label("{/:Bold V}_{/:Italic Q}", at(q, 0.42), -1.5, 0.4, colour::red);
+  scene.label("{/:Bold V}_{/:Italic p}", at(p, 0.32), 0, 0.9, colour::red);
+  scene.label("{/:Bold V}_{/:Italic q}", at(q, 0.42), -1.5, 0.4, colour::red);
   Figure figure(studio, "figure-11", scene.size());
   scene.draw(figure);
   figure.draw();

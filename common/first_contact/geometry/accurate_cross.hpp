@@ -14,9 +14,10 @@ using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
 /// Mathematics of Computation 82, 2013).
 template <class Scalar>
 Scalar difference_of_products(Scalar a, Scalar b, Scalar c, Scalar d) {
+  using std::fma;
   const Scalar cd = c * d;
-  const Scalar left_out = std::fma(-c, d, cd);
-  return std::fma(a, b, -cd) + left_out;
+  const Scalar left_out = fma(-c, d, cd);
+  return fma(a, b, -cd) + left_out;
 }
 
 /// a x b with each coordinate right to one and a half units in its last place. The plain formula is off by

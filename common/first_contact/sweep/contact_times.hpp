@@ -33,7 +33,8 @@ std::optional<ContactTimes<Scalar>> textbook_times(const Vector3<Scalar>& w, con
   const Scalar a = u.squaredNorm(), b = w.dot(u), c = w.squaredNorm() - d * d;
   const Scalar discriminant = b * b - a * c;
   if (!(a > 0) || !(discriminant >= 0)) return std::nullopt;
-  const Scalar root = std::sqrt(discriminant);
+  using std::sqrt;
+  const Scalar root = sqrt(discriminant);
   return ContactTimes<Scalar>{(-b - root) / a, (-b + root) / a};
 }
 //! [textbook_times]
@@ -50,19 +51,22 @@ Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Sca
 //! [discriminant]
 
 //! [contact_times]
-/// The same two times by way of the closest approach. No two numbers of equal sign are subtracted: the far
-/// root is the sum, and the near one follows from the product of the roots, c / a.
+/// The same two times by way of the closest approach. The root that would be a difference of nearly equal numbers
+/// follows from the other, which is a sum, and from the product of both, c / a. Two differences are left: w^2 - d^2,
+/// which cancels when the spheres nearly touch at the start, and u^2 d^2 - |w x u|^2, when they graze; h of the bound
+/// below is small then. Both are as exact as their terms.
 /// \param moment w x u, the same for every w on the path.
 template <class Scalar>
 std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
                                                   const Vector3<Scalar>& moment, Scalar d) {
+  using std::copysign, std::sqrt;
   const Scalar a = u.squaredNorm(), b = w.dot(u), c = w.squaredNorm() - d * d;
   const Scalar D = discriminant(u, moment, d);
   if (!(a > 0) || !(D >= 0)) return std::nullopt;
-  const Scalar sum =
-      -b + std::copysign(std::sqrt(D), -b);         // not b's "sign" times the root: that of 0 must not be 0
+  const Scalar sum = -b + copysign(sqrt(D), -b);    // not b's "sign" times the root: that of 0 must not be 0
   if (sum == 0) return ContactTimes<Scalar>{0, 0};  // grazing, just now
-  return ContactTimes<Scalar>{std::min(c / sum, sum / a), std::max(c / sum, sum / a)};
+  const Scalar by_product = c / sum, by_sum = sum / a;
+  return ContactTimes<Scalar>{std::min(by_product, by_sum), std::max(by_product, by_sum)};
 }
 //! [contact_times]
 

@@ -15,7 +15,7 @@ struct Entry {
 /// 1]. A point that starts inside, or on, enters at once if it goes deeper, and never if it leaves. In the
 /// centre itself the direction is against the motion.
 ///
-/// This is the first root of |m + t v|^2 = r^2 in a form that does not cancel: t = c / (-b + sqrt D) with b =
+/// This is the first root of |m + t v|^2 = r^2 in a form whose error does not grow with the way: t = c / (-b + sqrt D) with b =
 /// m.v, c = m.m - r^2, and D = v.v r^2 - |m x v|^2, which compares r with the closest approach (Ray Tracing
 /// Gems, ch. 7).
 ///

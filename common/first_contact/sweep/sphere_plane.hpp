@@ -18,7 +18,7 @@ bool overlap(const Sphere& sphere, const Plane& plane);
 /// Error of t: at most 8 eps (|S0| + |D| + r + t |V|) / |N.V|. The last term is there for motions that are
 /// nearly parallel to a plane that is not: N.V is then a small difference of large products.
 ///
-/// \see tests/oracle/sphere_plane.cpp
+/// \see error_of_time, tests/oracle/sphere_plane.cpp
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Plane& plane);
 
 }  // namespace first_contact

@@ -1,0 +1,31 @@
+// What code costs, counted in the very listing: {{cost dot product: first_contact/sweep/sphere_plane.cpp sweep_sphere_plane}}
+// becomes "two dot products". So an essay cannot go on telling what the code no longer does.
+import {existsSync} from 'node:fs';
+import {join} from 'node:path';
+import {read, root} from './book.mjs';
+
+const kinds = {
+  'dot product': /\.dot\(|\.squaredNorm\(\)|\.signed_distance\(/g,
+  'cross product': /\.cross\(|\baccurate_cross\(/g,
+  multiplication: / \*=? /g,
+  division: / \/=? /g,
+  root: /\bsqrt\(|\.(?:stableN|n)orm(?:alized)?\(\)/g,
+};
+const words = ['no', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
+
+// The code between the two lines of its tag, without comments and texts.
+function codeOf(file, tag) {
+  const place = [join(root, 'common', file), join(root, 'chapters', file)].find(existsSync);
+  const part = place && read(place).split(new RegExp(`^\\s*//! \\[${tag}\\]$`, 'm'))[1];
+  if (!part) throw new Error(`there is no code ${file} ${tag} to count in`);
+  return part.replace(/\/\/.*$/gm, '').replace(/"(?:[^"\\]|\\.)*"/g, '""');
+}
+
+/// The words for "KIND: FILE TAG"; of several listings, "KIND: FILE TAG, FILE TAG", the sum.
+export function cost(body) {
+  const [kind, listings = ''] = body.split(/:\s*/);
+  if (!kinds[kind]) throw new Error(`cost ${kind}: must be one of ${Object.keys(kinds).join(', ')}`);
+  const count = listings.split(/,\s*/).map((listing) => codeOf(...listing.trim().split(/\s+/)).match(kinds[kind])?.length ?? 0)
+      .reduce((sum, each) => sum + each, 0);
+  return `${words[count] ?? count} ${kind}${count === 1 || count === 0 && kind === 'root' ? '' : 's'}`;
+}
