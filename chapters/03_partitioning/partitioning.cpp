@@ -243,10 +243,7 @@ std::vector<Triangle> triangles_of(const Scene& scene) {
   if (scene.mesh.empty())
     return shards(static_cast<std::size_t>(scene.objects), Spread::even,
                   static_cast<std::uint64_t>(scene.seed));
-  const Mesh mesh = load_mesh(scene.mesh);
-  std::vector<Triangle> triangles;
-  for (std::size_t i = 0; i < mesh.size(); ++i) triangles.push_back(mesh.triangle(i));
-  return triangles;
+  return load_mesh(scene.mesh).triangles();
 }
 //! [scene]
 

@@ -59,13 +59,13 @@ std::vector<Bounds> points(std::size_t count, Spread spread, std::uint64_t seed)
 
 std::vector<Moving<Sphere>> flights(std::size_t count, const Bounds& room, std::uint64_t seed) {
   Random random(seed);
-  const Bounds box = room.empty() ? Bounds({0, 0, 0}, {1, 1, 1}) : room;
-  const Vector size = box.size();
+  const Bounds box = room.isEmpty() ? bounds_between({0, 0, 0}, {1, 1, 1}) : room;
+  const Vector size = box.sizes();
   std::vector<Moving<Sphere>> all;
   all.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Point from = box.low + size.cwiseProduct(random.vector());
-    const Point to = box.low + size.cwiseProduct(random.vector());
+    const Point from = box.min() + size.cwiseProduct(random.vector());
+    const Point to = box.min() + size.cwiseProduct(random.vector());
     all.push_back({{from, 0.01 * size.maxCoeff()}, to - from});
   }
   return all;

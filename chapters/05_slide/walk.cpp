@@ -21,23 +21,17 @@ constexpr int frames_to_rest = 100;  // until a ball that is set down lies where
 // How far the surface is from a ball, measured without a sweep: among the triangles near it.
 class Clearance {
  public:
-  explicit Clearance(const Mesh& mesh) : triangles_(all_of(mesh)) {}
+  explicit Clearance(const Mesh& mesh) : triangles_(mesh) {}
 
   double of(const Sphere& ball) const {
     const Vector reach = Vector::Constant(1.1 * ball.radius);
     double nearest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : near(Bounds(ball.center - reach, ball.center + reach), triangles_))
-      nearest =
-          std::min(nearest, (closest_point(ball.center, triangles_.triangles()[i]) - ball.center).norm());
+      nearest = std::min(nearest, (closest_point(ball.center, triangles_.all()[i]) - ball.center).norm());
     return nearest - ball.radius;
   }
 
  private:
-  static std::vector<Triangle> all_of(const Mesh& mesh) {
-    std::vector<Triangle> all;
-    for (std::size_t i = 0; i < mesh.size(); ++i) all.push_back(mesh.triangle(i));
-    return all;
-  }
   Soup<BoxTree> triangles_;
 };
 //! [clearance]
@@ -48,8 +42,8 @@ struct Rest {
   Bounds places;
 
   double drift(const Point& place, const Vector& still) {
-    if (++frames > frames_to_rest) places.include(place);
-    return places.empty() ? 0 : places.size().cwiseProduct(still).maxCoeff();
+    if (++frames > frames_to_rest) places.extend(place);
+    return places.isEmpty() ? 0 : places.sizes().cwiseProduct(still).maxCoeff();
   }
 };
 

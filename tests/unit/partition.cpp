@@ -63,9 +63,9 @@ TEST_CASE("In an octree of clustered objects the depth has nothing to do with lo
 }
 
 TEST_CASE("An octree of objects in one point is one leaf") {
-  const std::vector<Bounds> same(100, Bounds({1, 2, 3}, {1, 2, 3}));
+  const std::vector<Bounds> same(100, bounds_between({1, 2, 3}, {1, 2, 3}));
   CHECK(Octree(same).nodes() == 1);
-  CHECK(near(Bounds({0, 2, 3}, {1, 2, 3}), Objects<Octree>(same)).size() == 100);
+  CHECK(near(bounds_between({0, 2, 3}, {1, 2, 3}), Objects<Octree>(same)).size() == 100);
 }
 
 TEST_CASE("Trees of nothing find nothing") {
@@ -81,7 +81,7 @@ TEST_CASE("A large object among small ones is found from everywhere, and spoils 
   objects.emplace_back(Point(-5, -5, 0.45), Point(5, 5, 0.55));
   const Objects<Octree> room(objects, OctreeLimits{1, 20});
   Statistics counted;
-  CHECK(near(Bounds({4, 4, 0.5}, {4, 4, 0.5}), room, &counted) == std::vector<std::size_t>{512});
+  CHECK(near(bounds_between({4, 4, 0.5}, {4, 4, 0.5}), room, &counted) == std::vector<std::size_t>{512});
   CHECK(counted.tests == 2);  // itself, and the one small object that shares its leaf
 }
 
@@ -175,4 +175,13 @@ TEST_CASE(
     CHECK(contact->time == Approx(1 - r / 32).epsilon(1e-14));
     CHECK(contact->feature == Feature::edge);
   }
+}
+
+TEST_CASE("A soup made from a mesh is the soup of its triangles", "[partition]") {
+  const Mesh roof({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 1}}, {{0, 1, 2}, {1, 3, 2}});
+  const Soup<BspTree> of_mesh(roof, BspLimits{0, 64, 16, 8}), of_triangles(roof.triangles());
+  CHECK(of_mesh.all().size() == 2);
+  const Moving<Sphere> ball{{{1.5, 1.5, 3}, 0.25}, {0, 0, -4}};
+  CHECK(sweep(ball, of_mesh)->time == sweep(ball, of_triangles)->time);
+  CHECK(sweep(ball, of_mesh)->triangle == 1);
 }

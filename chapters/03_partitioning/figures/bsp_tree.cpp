@@ -5,7 +5,7 @@
 
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
-#include "first_contact/trees/ball_search.hpp"
+#include "first_contact/trees/collection.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;
@@ -84,7 +84,7 @@ class Picture {
   explicit Picture(const Moving<Sphere>& ball)
       : triangles_(polygons()),
         tree_(triangles_, BspLimits{0, 64, 16, 8}),
-        search_(ball, Bounds({0, 0, 0}, {7, 5, 1}), [](std::size_t) { return false; }),
+        search_(ball, triangles_, bounds_between({0, 0, 0}, {7, 5, 1})),
         scene_({0, 0}, 0.02) {
     draw(0, {{0, 0, 0}, {6.9, 0, 0}, {6.9, 4.8, 0}, {0, 4.8, 0}}, {}, {11.1, 4.35, 0}, 1.72, true);
     for (const Wall& wall : walls) scene_.line({wall.from, wall.to}, {colour::blue, 4.0}, 4);
@@ -145,7 +145,7 @@ class Picture {
 
   std::vector<Triangle> triangles_;
   BspTree tree_;
-  BallSearch search_;
+  NearBall<Triangle> search_;
   figure::Scene scene_;
   int leaves_ = 0;
   // The names of the parts of space, moved from their middles to where nothing else stands.

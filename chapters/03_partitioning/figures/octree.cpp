@@ -33,11 +33,11 @@ std::vector<Bounds> things() {
 
 // The sides of an upright box that the eye sees.
 void add_sides(figure::Scene& scene, const Bounds& box, const Fill& fill, int layer) {
-  const Vector half = 0.5 * box.size(), eye = view.eye();
+  const Vector half = 0.5 * box.sizes(), eye = view.eye();
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const Vector out = std::copysign(half[axis], eye[axis]) * Vector::Unit(axis);
-    scene.patch(box.center() + out, half[u] * Vector::Unit(u), half[v] * Vector::Unit(v), fill, layer);
+    scene.patch(middle_of(box) + out, half[u] * Vector::Unit(u), half[v] * Vector::Unit(v), fill, layer);
   }
 }
 
@@ -50,11 +50,11 @@ void add_room(figure::Scene& scene, const Bounds& room) {
     for (unsigned corner = 0; corner < 4; ++corner) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
       const bool high_u = corner & 1U, high_v = corner & 2U;
-      Point from = room.low;
-      if (high_u) from[u] = room.high[u];
-      if (high_v) from[v] = room.high[v];
+      Point from = room.min();
+      if (high_u) from[u] = room.max()[u];
+      if (high_v) from[v] = room.max()[v];
       const bool hidden = high_u != (eye[u] > 0) && high_v != (eye[v] > 0);
-      const Point to = from + room.size()[axis] * Vector::Unit(axis);
+      const Point to = from + room.sizes()[axis] * Vector::Unit(axis);
       scene.line({from, to}, hidden ? Pen{colour::grey, 1.2} : Pen{colour::ink, 2.0}, hidden ? -1 : 1);
     }
 }

@@ -23,4 +23,11 @@ Triangle Mesh::triangle(std::size_t i) const {
   return {vertices_[face[0]], vertices_[face[1]], vertices_[face[2]]};
 }
 
+std::vector<Triangle> Mesh::triangles() const {
+  std::vector<Triangle> all;
+  all.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) all.push_back(triangle(i));
+  return all;
+}
+
 }  // namespace first_contact

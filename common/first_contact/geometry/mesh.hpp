@@ -25,6 +25,8 @@ class Mesh {
   std::size_t size() const { return faces_.size(); }
   /// The triangle with number i < size().
   Triangle triangle(std::size_t i) const;
+  /// All triangles.
+  std::vector<Triangle> triangles() const;
 
  private:
   std::vector<Point> vertices_;

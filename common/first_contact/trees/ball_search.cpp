@@ -1,7 +1,6 @@
 #include "first_contact/trees/ball_search.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace first_contact {
 
@@ -22,14 +21,13 @@ Passage while_at_least(double limit, double d0, double d1, const Passage& part) 
 
 }  // namespace
 
-BallSearch::BallSearch(const Moving<Sphere>& ball, const Bounds& scene, std::function<bool(std::size_t)> test)
-    : Search(std::move(test)),
-      ball_(ball),
+BallSearch::BallSearch(const Moving<Sphere>& ball, const Bounds& scene)
+    : ball_(ball),
       reach_(ball.shape.radius +
-             search_margin * std::max(scene.largest_coordinate(), largest_coordinate(ball))) {}
+             search_margin * std::max(largest_coordinate(scene), largest_coordinate(ball))) {}
 
 bool BallSearch::reaches(const Bounds& box) const {
-  return passage(ball_.shape.center, ball_.displacement, box.grown(reach_), {0, last_}).has_value();
+  return passage(ball_.shape.center, ball_.displacement, grown(box, reach_), {0, last_}).has_value();
 }
 
 //! [same_side]

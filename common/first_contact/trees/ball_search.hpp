@@ -15,9 +15,8 @@ inline constexpr double search_margin = 0x1p-40;  // 4096 eps
 /// A moving ball among objects: which could it touch?
 class BallSearch : public Search {
  public:
-  /// \param scene the bounds of all objects;
-  /// \param test of one object
-  BallSearch(const Moving<Sphere>& ball, const Bounds& scene, std::function<bool(std::size_t)> test);
+  /// \param scene the bounds of all objects
+  BallSearch(const Moving<Sphere>& ball, const Bounds& scene);
 
   bool reaches(const Bounds& box) const override;
   /// The paper's same-side rejection (1.4): with E.Q > r_eff at both ends of this part of the motion it is
@@ -26,6 +25,8 @@ class BallSearch : public Search {
   Vector heading() const override { return ball_.displacement; }
 
  protected:
+  /// What moves.
+  const Moving<Sphere>& ball() const { return ball_; }
   /// From now on, only what is hit up to this time matters.
   void forget_after(double time) { last_ = time; }
 

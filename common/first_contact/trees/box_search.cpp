@@ -1,22 +1,19 @@
 #include "first_contact/trees/box_search.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "first_contact/trees/ball_search.hpp"
 
 namespace first_contact {
 
-BoxSearch::BoxSearch(const Bounds& box, const Bounds& scene, std::function<bool(std::size_t)> test)
-    : Search(std::move(test)),
-      box_(box),
-      margin_(search_margin * std::max(scene.largest_coordinate(), box.largest_coordinate())) {}
+BoxSearch::BoxSearch(const Bounds& box, const Bounds& scene)
+    : box_(box), margin_(search_margin * std::max(largest_coordinate(scene), largest_coordinate(box))) {}
 
 Sides BoxSearch::sides(const Plane& plane, const Passage& part) const {
   constexpr Passage never{1, 0};
-  if (box_.empty()) return {never, never};
-  const double effective_radius = 0.5 * box_.size().dot(plane.normal().cwiseAbs()) + margin_;
-  const double distance = plane.signed_distance(box_.center());  // E.Q
+  if (box_.isEmpty()) return {never, never};
+  const double effective_radius = 0.5 * box_.sizes().dot(plane.normal().cwiseAbs()) + margin_;
+  const double distance = plane.signed_distance(middle_of(box_));  // E.Q
   return {distance < -effective_radius ? never : part, distance > effective_radius ? never : part};
 }
 

@@ -20,12 +20,12 @@ struct Part {
   std::size_t count = 0;
 
   void add(const Part& other) {
-    bounds.include(other.bounds);
+    bounds.extend(other.bounds);
     count += other.count;
   }
   double work() const {
     if (count == 0) return 0;
-    const Vector d = bounds.size();
+    const Vector d = bounds.sizes();
     return (d.x() * d.y() + d.y() * d.z() + d.z() * d.x()) * static_cast<double>(count);
   }
 };
@@ -44,7 +44,7 @@ struct Cut {
 };
 
 std::size_t bin_of(const Bounds& object, const Bounds& centers, int axis) {
-  const double part = (object.center()[axis] - centers.low[axis]) / centers.size()[axis];
+  const double part = (middle_of(object)[axis] - centers.min()[axis]) / centers.sizes()[axis];
   return std::min(static_cast<std::size_t>(part * bin_count), bin_count - 1);
 }
 
@@ -93,7 +93,7 @@ void BoxTree::divide(std::size_t node, std::span<const Bounds> objects, const Bo
   nodes_[node].first_child = static_cast<std::uint32_t>(child);
   for (const auto& [begin, end] : {std::pair(parent.begin, middle), std::pair(middle, parent.end)}) {
     nodes_.push_back({{}, 0, begin, end});
-    for (std::uint32_t i = begin; i < end; ++i) nodes_.back().bounds.include(objects[order_[i]]);
+    for (std::uint32_t i = begin; i < end; ++i) nodes_.back().bounds.extend(objects[order_[i]]);
   }
   work_ += count;
   divide(child, objects, limits, depth + 1);
@@ -105,10 +105,10 @@ void BoxTree::divide(std::size_t node, std::span<const Bounds> objects, const Bo
 std::uint32_t BoxTree::cut(const Node& parent, std::span<const Bounds> objects) {
   const auto begin = order_.begin() + parent.begin, end = order_.begin() + parent.end;
   Bounds centers;
-  std::for_each(begin, end, [&](std::uint32_t i) { centers.include(objects[i].center()); });
+  std::for_each(begin, end, [&](std::uint32_t i) { centers.extend(middle_of(objects[i])); });
   Cut best;
   for (int axis = 0; axis < 3; ++axis) {
-    const double extent = centers.size()[axis];
+    const double extent = centers.sizes()[axis];
     if (!(extent > 0 && extent < infinite)) continue;
     std::array<Part, bin_count> bins;
     std::for_each(begin, end, [&](std::uint32_t i) {
@@ -129,13 +129,13 @@ void BoxTree::search(Search& search) const { show(0, search, 0); }
 void BoxTree::show(std::size_t node, Search& search, std::size_t depth) const {
   search.count_node(depth);
   const Node& here = nodes_[node];
-  if (here.bounds.empty() || !search.reaches(here.bounds)) return;
+  if (here.bounds.isEmpty() || !search.reaches(here.bounds)) return;
   if (here.is_leaf()) {
     for (std::uint32_t i = here.begin; i < here.end; ++i) search.test(order_[i]);
     return;
   }
   const std::size_t a = here.first_child, b = a + 1;
-  const Vector from_a_to_b = nodes_[b].bounds.center() - nodes_[a].bounds.center();
+  const Vector from_a_to_b = middle_of(nodes_[b].bounds) - middle_of(nodes_[a].bounds);
   const bool a_first = search.heading().dot(from_a_to_b) >= 0;
   show(a_first ? a : b, search, depth + 1);
   show(a_first ? b : a, search, depth + 1);

@@ -92,8 +92,8 @@ class BspTree::Builder {
   Builder(BspTree& tree, std::span<const Triangle> polygons, const BspLimits& limits)
       : tree_(tree), polygons_(polygons), limits_(limits) {
     Bounds all;
-    for (const Triangle& polygon : polygons) all.include(bounds_of(polygon));
-    thickness_ = thickness * all.largest_coordinate();
+    for (const Triangle& polygon : polygons) all.extend(bounds_of(polygon));
+    thickness_ = thickness * largest_coordinate(all);
   }
 
   // Makes a node of some pieces, and all below it. With a quota of pieces the tree cannot outgrow its limit:

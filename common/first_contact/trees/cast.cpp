@@ -15,11 +15,11 @@ bool before(const Contact& a, const Contact& b) {
 }  // namespace
 
 Cast::Cast(const Moving<Sphere>& ball, std::span<const Triangle> triangles, const Bounds& scene)
-    : BallSearch(ball, scene,
-                 [this, ball, triangles](std::size_t i) { return offer(sweep(ball, triangles[i]), i); }) {}
+    : BallSearch(ball, scene), triangles_(triangles) {}
 
 //! [first_of_all]
-bool Cast::offer(std::optional<Contact> contact, std::size_t triangle) {
+bool Cast::hit(std::size_t triangle) {
+  std::optional<Contact> contact = sweep(ball(), triangles_[triangle]);
   if (!contact) return false;
   contact->triangle = triangle;
   if (first_ && !before(*contact, *first_)) return true;

@@ -19,8 +19,9 @@ class Cast : public BallSearch {
   const std::optional<Contact>& contact() const { return first_; }
 
  private:
-  bool offer(std::optional<Contact> contact, std::size_t triangle);
+  bool hit(std::size_t triangle) override;
 
+  std::span<const Triangle> triangles_;
   std::optional<Contact> first_;
 };
 

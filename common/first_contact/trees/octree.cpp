@@ -26,9 +26,9 @@ Point corner_of(unsigned octant, const Point& low, const Point& middle) {
 // The cube around the objects' centres, which are what is divided.
 OctreeNode cube_around(std::span<const Bounds> objects) {
   Bounds centers;
-  for (const Bounds& object : objects) centers.include(object.center());
+  for (const Bounds& object : objects) centers.extend(middle_of(object));
   if (objects.empty()) return {{}, Point::Zero(), 0};
-  return {bounds_of(objects), centers.low, centers.size().maxCoeff()};
+  return {bounds_of(objects), centers.min(), centers.sizes().maxCoeff()};
 }
 
 }  // namespace
@@ -63,14 +63,14 @@ void Octree::distribute(const Node& parent, std::span<const Bounds> objects) {
   work_ += parent.end - parent.begin;
   const double half = 0.5 * parent.side;
   const Point middle = parent.low + Vector::Constant(half);
-  const auto octant = [&](std::uint32_t object) { return octant_of(objects[object].center(), middle); };
+  const auto octant = [&](std::uint32_t object) { return octant_of(middle_of(objects[object]), middle); };
   const auto begin = order_.begin() + parent.begin, end = order_.begin() + parent.end;
   std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) { return octant(a) < octant(b); });
   std::uint32_t at = parent.begin;
   for (unsigned i = 0; i < 8; ++i) {
     Node child{{}, corner_of(i, parent.low, middle), half};
     child.begin = at;
-    for (; at < parent.end && octant(order_[at]) == i; ++at) child.bounds.include(objects[order_[at]]);
+    for (; at < parent.end && octant(order_[at]) == i; ++at) child.bounds.extend(objects[order_[at]]);
     child.end = at;
     nodes_.push_back(child);
   }
@@ -86,7 +86,7 @@ void Octree::search(Search& search) const {
 void Octree::show(std::size_t node, Search& search, unsigned nearest, std::size_t depth) const {
   search.count_node(depth);
   const Node& here = nodes_[node];
-  if (here.bounds.empty() || !search.reaches(here.bounds)) return;
+  if (here.bounds.isEmpty() || !search.reaches(here.bounds)) return;
   if (here.is_leaf())
     for (std::uint32_t i = here.begin; i < here.end; ++i) search.test(order_[i]);
   else

@@ -11,7 +11,7 @@ void Search::count_node(std::size_t depth) {
 
 void Search::test(std::size_t object) {
   ++statistics_.tests;
-  if (!test_(object)) return;
+  if (!hit(object)) return;
   ++statistics_.hits;
   found_.push_back(object);
 }

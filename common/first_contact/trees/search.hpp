@@ -1,7 +1,6 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -38,9 +37,11 @@ struct Sides {
   bool both() const { return !front.empty() && !back.empty(); }
 };
 
-/// A question, asked of a tree.
+/// A question, asked of a tree. Each kind of question says which boxes and sides it reaches, and when an
+/// object is hit.
 class Search {
  public:
+  Search() = default;
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
   virtual ~Search() = default;
@@ -62,12 +63,10 @@ class Search {
   /// What has been counted so far.
   const Statistics& statistics() const { return statistics_; }
 
- protected:
-  /// \param test  whether an object, given by its number, is hit
-  explicit Search(std::function<bool(std::size_t)> test) : test_(std::move(test)) {}
-
  private:
-  std::function<bool(std::size_t)> test_;
+  // Is the object of that number hit?
+  virtual bool hit(std::size_t object) = 0;
+
   std::vector<std::size_t> found_;
   Statistics statistics_;
 };
