@@ -26,8 +26,8 @@ std::size_t pairs_along_one_axis(const std::vector<Moving<Sphere>>& spheres) {
   std::vector<double> begins, ends;
   for (const auto& sphere : spheres) {
     const Bounds bounds = bounds_of(sphere.shape, sphere.displacement);
-    begins.push_back(bounds.low.x());
-    ends.push_back(bounds.high.x());
+    begins.push_back(bounds.min().x());
+    ends.push_back(bounds.max().x());
   }
   std::sort(begins.begin(), begins.end());
   std::size_t pairs = 0;

@@ -65,7 +65,7 @@ void bullet_crowd(benchmark::State& state) {
     btDbvt tree;
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const Bounds bounds = bounds_of(balls[i].shape, balls[i].displacement);
-      btDbvtVolume volume = btDbvtVolume::FromMM(bullet(bounds.low), bullet(bounds.high));
+      btDbvtVolume volume = btDbvtVolume::FromMM(bullet(bounds.min()), bullet(bounds.max()));
       tree.insert(volume, nullptr)->dataAsInt = static_cast<int>(i);
     }
     tree.optimizeTopDown();

@@ -28,7 +28,7 @@ Bounds box() {
 }
 
 bool holds(const Bounds& box, const Point& p, double slack = 0) {
-  return (p.array() >= box.low.array() - slack).all() && (p.array() <= box.high.array() + slack).all();
+  return (p.array() >= box.min().array() - slack).all() && (p.array() <= box.max().array() + slack).all();
 }
 
 /// What of a triangle is in a box, by cutting it along the six sides (Sutherland and Hodgman, 1974).
@@ -36,7 +36,7 @@ std::vector<Point> clipped(const Triangle& triangle, const Bounds& box) {
   std::vector<Point> outline{triangle.a, triangle.b, triangle.c};
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2;
-    const double sign = side % 2 ? 1 : -1, limit = side % 2 ? box.low[axis] : -box.high[axis];
+    const double sign = side % 2 ? 1 : -1, limit = side % 2 ? box.min()[axis] : -box.max()[axis];
     std::vector<Point> kept;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Point &p = outline[i], &q = outline[(i + 1) % outline.size()];
@@ -60,8 +60,8 @@ TEST_CASE("The bounds of a moving sphere hold all of it, to the last bit") {
       for (const double t : {0.0, 1.0}) {
         // 64 bits of a long double hold these sums exactly, or one rounding of 2^-64 that is seen as equal.
         const long double center = static_cast<long double>(sphere.center[axis]) + t * v[axis];
-        RC_ASSERT(static_cast<long double>(bounds.low[axis]) <= center - sphere.radius);
-        RC_ASSERT(static_cast<long double>(bounds.high[axis]) >= center + sphere.radius);
+        RC_ASSERT(static_cast<long double>(bounds.min()[axis]) <= center - sphere.radius);
+        RC_ASSERT(static_cast<long double>(bounds.max()[axis]) >= center + sphere.radius);
       }
   });
 }
@@ -74,7 +74,7 @@ TEST_CASE("A moving point is in a box during its passage and at no other time") 
     for (int axis = 0; axis < 3; ++axis)
       if (*rc::gen::inRange(0, 3) == 0) v[axis] = *rc::gen::element(0.0, -0.0);
     const auto inside = passage(start, v, b);
-    const double slack = 1e-14 * (b.largest_coordinate() + start.norm() + v.norm());
+    const double slack = 1e-14 * (largest_coordinate(b) + start.norm() + v.norm());
     for (int i = 0; i <= 64; ++i) {
       const double t = i / 64.0;
       const Point p = start + t * v;
@@ -87,7 +87,7 @@ TEST_CASE("A moving point is in a box during its passage and at no other time") 
 TEST_CASE("What reaches a box reaches every larger box") {
   rc::prop("to the last bit: this is what a tree relies on", [] {
     Bounds small = box(), large = small;
-    large.include(box());
+    large.extend(box());
     const Point start = vector();
     const Vector v = vector();
     if (passage(start, v, small)) RC_ASSERT(passage(start, v, large).has_value());
@@ -99,10 +99,10 @@ TEST_CASE("A triangle and a box overlap if something is left of the triangle wit
   rc::prop("by thirteen directions as by cutting", [] {
     const Bounds b = box();
     const Triangle triangle(vector(), vector(), vector());
-    const double slack = 1e-13 * (b.largest_coordinate() + bounds_of(triangle).largest_coordinate());
-    Bounds smaller = b.grown(-slack);
-    const bool thick = (smaller.low.array() <= smaller.high.array()).all();
+    const double slack = 1e-13 * (largest_coordinate(b) + largest_coordinate(bounds_of(triangle)));
+    Bounds smaller = grown(b, -slack);
+    const bool thick = (smaller.min().array() <= smaller.max().array()).all();
     if (thick && !clipped(triangle, smaller).empty()) RC_ASSERT(overlap(triangle, b));
-    if (clipped(triangle, b.grown(slack)).empty()) RC_ASSERT_FALSE(overlap(triangle, b));
+    if (clipped(triangle, grown(b, slack)).empty()) RC_ASSERT_FALSE(overlap(triangle, b));
   });
 }

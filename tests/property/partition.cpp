@@ -236,7 +236,7 @@ TEST_CASE("Where a ball touches a triangle it is there, within a quarter of the 
     RC_PRE(!w.shards.empty());
     const auto ball = ball_in(w);
     Bounds scene = bounds_of(w.boxes);
-    const double largest = std::max({scene.largest_coordinate(), ball.shape.center.cwiseAbs().maxCoeff(),
+    const double largest = std::max({largest_coordinate(scene), ball.shape.center.cwiseAbs().maxCoeff(),
                                      ball.displacement.cwiseAbs().maxCoeff(), ball.shape.radius});
     for (const Triangle& triangle : w.shards) {
       const auto contact = sweep(ball, triangle);
@@ -258,8 +258,8 @@ TEST_CASE("Each node of an octree has eight children or none, and each object is
       const Octree::Node& node = tree.node(i);
       for (std::uint32_t k = node.begin; k < node.end; ++k) {
         const Bounds& object = w.boxes[tree.order()[k]];
-        RC_ASSERT((node.bounds.low.array() <= object.low.array()).all());
-        RC_ASSERT((node.bounds.high.array() >= object.high.array()).all());
+        RC_ASSERT((node.bounds.min().array() <= object.min().array()).all());
+        RC_ASSERT((node.bounds.max().array() >= object.max().array()).all());
         if (node.is_leaf()) ++seen[tree.order()[k]];
       }
       if (!node.is_leaf()) RC_ASSERT(node.first_child + 8 <= tree.nodes());
@@ -276,7 +276,7 @@ TEST_CASE("Each node of a BSP tree has two children or none, and its polygons li
     const BspLimits limits = bsp_limits();
     const BspTree tree(w.shards, limits);
     std::vector<int> seen(w.shards.size(), 0);
-    const double thickness = BspTree::thickness * bounds_of(w.boxes).largest_coordinate();
+    const double thickness = BspTree::thickness * largest_coordinate(bounds_of(w.boxes));
     for (std::size_t i = 0; i < tree.nodes(); ++i) {
       const BspTree::Node& node = tree.node(i);
       for (std::uint32_t k = node.begin; k < node.end; ++k) {
@@ -319,8 +319,8 @@ TEST_CASE("Every box of a tree of boxes holds its two children, and every object
     for (std::size_t i = 0; i < tree.nodes(); ++i) {
       const BoxTree::Node& node = tree.node(i);
       Bounds around = node.bounds;
-      for (std::uint32_t k = node.begin; k < node.end; ++k) around.include(w.boxes[tree.order()[k]]);
-      RC_ASSERT(around.low == node.bounds.low && around.high == node.bounds.high);
+      for (std::uint32_t k = node.begin; k < node.end; ++k) around.extend(w.boxes[tree.order()[k]]);
+      RC_ASSERT(around.min() == node.bounds.min() && around.max() == node.bounds.max());
       if (!node.is_leaf()) continue;
       RC_ASSERT(node.end - node.begin <= capacity);
       for (std::uint32_t k = node.begin; k < node.end; ++k) ++times_seen[tree.order()[k]];

@@ -35,37 +35,28 @@ bool parts(const Vector& direction, const std::array<Vector, 3>& corners, const 
 
 }  // namespace
 
-Bounds::Bounds(const Point& lowest, const Point& highest) : low(lowest), high(highest) {
+Bounds bounds_between(const Point& low, const Point& high) {
   require_finite(low, "bounds' low corner");
   require_finite(high, "bounds' high corner");
   if (!(low.array() <= high.array()).all())
     refuse("bounds from (" + to_text(low) + ") to (" + to_text(high) + ")", "low must not be above high");
+  return {low, high};
 }
 
-double Bounds::largest_coordinate() const {
-  return empty() ? 0 : std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+Point middle_of(const Bounds& box) { return 0.5 * box.min() + 0.5 * box.max(); }
+
+double largest_coordinate(const Bounds& box) {
+  return box.isEmpty() ? 0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
-void Bounds::include(const Point& point) {
-  low = low.cwiseMin(point);
-  high = high.cwiseMax(point);
-}
-
-void Bounds::include(const Bounds& other) {
-  low = low.cwiseMin(other.low);
-  high = high.cwiseMax(other.high);
-}
-
-Bounds Bounds::grown(double distance) const {
-  Bounds larger = *this;
-  larger.low.array() -= distance;
-  larger.high.array() += distance;
-  return larger;
+Bounds grown(const Bounds& box, double distance) {
+  const Vector outward = Vector::Constant(distance);
+  return {box.min() - outward, box.max() + outward};
 }
 
 Bounds bounds_of(std::span<const Point> points) {
   Bounds bounds;
-  for (const Point& point : points) bounds.include(point);
+  for (const Point& point : points) bounds.extend(point);
   return bounds;
 }
 
@@ -78,27 +69,27 @@ Bounds bounds_of(const Sphere& sphere) { return bounds_of(sphere, Vector::Zero()
 Bounds bounds_of(const Sphere& sphere, const Vector& displacement) {
   const Vector radius = Vector::Constant(sphere.radius);
   Bounds bounds;
-  bounds.low = sum_below(sum_below(sphere.center, displacement.cwiseMin(0)), -radius);
-  bounds.high = sum_above(sum_above(sphere.center, displacement.cwiseMax(0)), radius);
+  bounds.min() = sum_below(sum_below(sphere.center, displacement.cwiseMin(0)), -radius);
+  bounds.max() = sum_above(sum_above(sphere.center, displacement.cwiseMax(0)), radius);
   return bounds;
 }
 
 Bounds bounds_of(std::span<const Bounds> all) {
   Bounds bounds;
-  for (const Bounds& one : all) bounds.include(one);
+  for (const Bounds& one : all) bounds.extend(one);
   return bounds;
 }
 
 //! [overlap_bounds]
 bool overlap(const Bounds& a, const Bounds& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+  return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
 }
 //! [overlap_bounds]
 
 bool overlap(const Triangle& triangle, const Bounds& box) {
   if (!overlap(bounds_of(triangle), box)) return false;  // the box's own three directions
-  const Vector half = 0.5 * box.high - 0.5 * box.low;
-  const Point middle = box.center();
+  const Vector half = 0.5 * box.max() - 0.5 * box.min();
+  const Point middle = middle_of(box);
   const std::array<Vector, 3> corners{triangle.a - middle, triangle.b - middle, triangle.c - middle};
   const std::array<Vector, 3> edges{triangle.b - triangle.a, triangle.c - triangle.b,
                                     triangle.a - triangle.c};
@@ -112,13 +103,13 @@ bool overlap(const Triangle& triangle, const Bounds& box) {
 //! [passage]
 std::optional<Passage> passage(const Point& start, const Vector& displacement, const Bounds& box,
                                const Passage& part) {
-  if (box.empty()) return std::nullopt;
+  if (box.isEmpty()) return std::nullopt;
   auto [enter, leave] = part;
   for (int axis = 0; axis < 3; ++axis) {
     const double s = start[axis], v = displacement[axis];
-    if (v == 0 && (s < box.low[axis] || s > box.high[axis])) return std::nullopt;
+    if (v == 0 && (s < box.min()[axis] || s > box.max()[axis])) return std::nullopt;
     if (v == 0) continue;  // within this slab at all times
-    const double to_low = (box.low[axis] - s) / v, to_high = (box.high[axis] - s) / v;
+    const double to_low = (box.min()[axis] - s) / v, to_high = (box.max()[axis] - s) / v;
     enter = std::max(enter, std::min(to_low, to_high));
     leave = std::min(leave, std::max(to_low, to_high));
   }

@@ -1,5 +1,4 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -9,34 +8,20 @@
 namespace first_contact {
 
 /// The box with sides along the axes in which a thing lies: its bounding box (paper, 1.1). It contains its
-/// own boundary, may be flat, and may be empty.
-struct Bounds {
-  /// Of nothing: it overlaps nothing, and grows with what it is made to include.
-  Bounds() = default;
-  /// \throws std::invalid_argument if a corner is not finite, or the low one is above the high one.
-  Bounds(const Point& lowest, const Point& highest);
+/// own boundary, may be flat, and may be empty: that of nothing overlaps nothing, and grows with what it is
+/// made to include. (In the name of its class, "aligned" is to the axes.)
+using Bounds = Eigen::AlignedBox3d;
 
-  /// Is it of nothing?
-  bool empty() const { return !(low.x() <= high.x()); }
-  /// The middle.
-  Point center() const { return 0.5 * low + 0.5 * high; }  // each half by itself: the sum may be too large
-  /// From the low corner to the high one.
-  Vector size() const { return high - low; }
-  /// The largest coordinate of a corner, without its sign; 0 if it is empty.
-  double largest_coordinate() const;
+/// From the low corner to the high one.
+/// \throws std::invalid_argument if a corner is not finite, or the low one is above the high one.
+Bounds bounds_between(const Point& low, const Point& high);
 
-  /// Grows until it contains the point.
-  void include(const Point& point);
-  /// Grows until it contains the other.
-  void include(const Bounds& other);
-  /// Moved out by `distance` on all six sides.
-  Bounds grown(double distance) const;
-
-  /// The corner with the smallest coordinates.
-  Point low = Point::Constant(std::numeric_limits<double>::infinity());
-  /// The corner with the largest coordinates.
-  Point high = Point::Constant(-std::numeric_limits<double>::infinity());
-};
+/// The middle, also of a box so large that the sum of its corners overflows.
+Point middle_of(const Bounds& box);
+/// The largest coordinate of a corner, without its sign; 0 if it is empty.
+double largest_coordinate(const Bounds& box);
+/// Moved out by `distance` on all six sides.
+Bounds grown(const Bounds& box, double distance);
 
 /// The bounds of a thing contain all of it: where a coordinate has to be rounded, it is rounded outwards.
 Bounds bounds_of(std::span<const Point> points);
@@ -48,6 +33,8 @@ Bounds bounds_of(const Sphere& sphere);
 Bounds bounds_of(const Sphere& sphere, const Vector& displacement);
 /// Of a set of bounds.
 Bounds bounds_of(std::span<const Bounds> all);
+/// Of bounds: they themselves.
+inline const Bounds& bounds_of(const Bounds& box) { return box; }
 
 /// Do two boxes share a point? Touching counts: a side, an edge or a corner in common is enough.
 bool overlap(const Bounds& a, const Bounds& b);
