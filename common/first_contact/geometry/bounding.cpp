@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -20,8 +21,26 @@ namespace {
 constexpr double outside_tolerance = 1e-10;
 
 // An edge is in the span of others when this part of its length, or less, is across them: well above the
-// rounding in what is across.
+// rounding in what is across. (A point that is so little out of the plane of others makes their sphere larger
+// by the square of it.)
 constexpr double flat_tolerance = 1e-12;
+
+/// Points as seen from the first of them, in a unit in which they are not far from it: a scene that is small
+/// and far away loses nothing, and no square leaves the range of double.
+struct Nearby {
+  explicit Nearby(std::span<const Point> points) : origin(points.front()) {
+    double largest = 0;
+    for (const Point& p : points) largest = std::max(largest, (p - origin).cwiseAbs().maxCoeff());
+    scale = unit_scale(largest);
+    for (const Point& p : points) local.push_back(scale * (p - origin));
+  }
+
+  Point back(const Point& p) const { return origin + p / scale; }
+
+  Point origin;
+  double scale;
+  std::vector<Point> local;
+};
 
 void require_points(std::span<const Point> points) {
   if (points.empty()) refuse("bounding shape of no points", "there must be at least one");
@@ -98,17 +117,20 @@ Box bounding_box(std::span<const Point> points) {
 //! [principal_box]
 Box principal_box(std::span<const Point> points) {
   require_points(points);
+  const Nearby nearby(points);
   Point mean = Point::Zero();
-  for (const Point& p : points) mean += p / static_cast<double>(points.size());
+  for (const Point& p : nearby.local) mean += p / static_cast<double>(points.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Point& p : points) scatter += (p - mean) * (p - mean).transpose();
+  for (const Point& p : nearby.local) scatter += (p - mean) * (p - mean).transpose();
   return box_along(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors(), points);
 }
 //! [principal_box]
 
 Sphere bounding_sphere(std::span<const Point> points) {
   require_points(points);
-  Sphere sphere = smallest(shuffled(points), {});
+  const Nearby nearby(points);
+  const Sphere local = smallest(shuffled(nearby.local), {});
+  Sphere sphere{nearby.back(local.center), 0};
   for (const Point& p : points) sphere.radius = std::max(sphere.radius, (p - sphere.center).norm());
   return sphere;
 }

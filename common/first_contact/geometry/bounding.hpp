@@ -17,8 +17,9 @@ Box bounding_box(std::span<const Point> points);
 Box principal_box(std::span<const Point> points);
 
 /// The smallest sphere that holds all points, by Welzl's method (1991): a point outside the sphere so far is
-/// on the rim of the next one, and four points fix it. The radius is at most 1e-9 of itself too large, and no
-/// point is outside: |P - C| <= r in double precision.
+/// on the rim of the next one, and four points fix it. No point is outside: |P - C| <= r in double precision.
+/// The radius is too large by at most 1e-9 of itself + 2 eps of the largest coordinate: the centre's own
+/// coordinates are doubles, which lie wide apart where they are large.
 /// \throws std::invalid_argument as bounding_box.
 Sphere bounding_sphere(std::span<const Point> points);
 

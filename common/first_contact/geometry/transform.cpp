@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -50,6 +51,7 @@ Transform::Transform(const Matrix& m) : matrix_(m) {
   for (int column = 0; column < 4; ++column)
     inverse_.col(column) = parts.solve(Homogeneous(Matrix::Identity().col(column)));
   if (is_affine()) inverse_.row(3) = m.row(3);  // [0, 0, 0, 1] exactly
+  far_side_ = m.row(3) - m.row(2);
   if (!inverse_.allFinite()) refuse("transform's matrix", "must have a finite inverse");
 }
 
@@ -66,19 +68,24 @@ Transform Transform::perspective(double view_angle, double aspect, double near_z
   require(near_z > 0 && std::isfinite(near_z), "near distance", near_z, "positive and finite");
   require(far_z > near_z && std::isfinite(far_z), "far distance", far_z, "finite, and beyond the near one");
   const double scale = 1 / std::tan(view_angle / 2);
-  const double depth = far_z - near_z;
+  const double unit = unit_scale(far_z), n = unit * near_z, f = unit * far_z, depth = f - n;
+  const double shift = depth == f ? near_z : f * n / depth / unit;  // 1 / (1 / n - 1 / f)
   Matrix m;
-  m << scale / aspect, 0, 0, 0,                                      //
-      0, scale, 0, 0,                                                //
-      0, 0, -(far_z + near_z) / depth, -2 * far_z * near_z / depth,  //
+  m << scale / aspect, 0, 0, 0,            //
+      0, scale, 0, 0,                      //
+      0, 0, -(f + n) / depth, -2 * shift,  //
       0, 0, -1, 0;
-  return Transform(m);
+  Transform eye(m);
+  eye.far_side_ = {0, 0, 1, far_z};
+  return eye;
 }
 
 bool Transform::is_affine() const { return matrix_.row(3) == Eigen::RowVector4d(0, 0, 0, 1); }
 
 Transform Transform::after(const Transform& first) const {
-  return {matrix_ * first.matrix_, first.inverse_ * inverse_};
+  Transform both{matrix_ * first.matrix_, first.inverse_ * inverse_};
+  both.far_side_ = first.matrix_.transpose() * far_side_;
+  return both;
 }
 
 Homogeneous Transform::apply(const Homogeneous& x) const { return matrix_ * x; }

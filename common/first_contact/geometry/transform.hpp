@@ -39,6 +39,11 @@ class Transform {
   /// First `first`, then this one.
   Transform after(const Transform& first) const;
 
+  /// The plane that is mapped onto z = 1, the far side of the cube, times any positive number: row 4 less row
+  /// 3 of M. Of a perspective it comes from the distances themselves: in M, near and far cancel, and from far
+  /// / near = 10^16 on nothing is left of the far plane. It goes along with `after`.
+  const Homogeneous& far_side() const { return far_side_; }
+
   /// The 4-vector M X, not yet divided by w.
   Homogeneous apply(const Homogeneous& x) const;
   /// A point: M [Q, 1], divided by its w.
@@ -54,9 +59,11 @@ class Transform {
   Plane plane(const Plane& e) const;
 
  private:
-  Transform(const Matrix& m, const Matrix& its_inverse) : matrix_(m), inverse_(its_inverse) {}
+  Transform(const Matrix& m, const Matrix& its_inverse)
+      : matrix_(m), inverse_(its_inverse), far_side_(m.row(3) - m.row(2)) {}
 
   Matrix matrix_, inverse_;
+  Homogeneous far_side_;
 };
 
 /// Is the determinant zero, to within the rounding of its own terms? It is a sum of 24 products of four

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <tuple>
 #include <utility>
+
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -16,22 +20,8 @@ constexpr std::array<double, 4> nodes{0.18343464249564980, 0.52553240991632899, 
 constexpr std::array<double, 4> weights{0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
                                         0.10122853629037626};
 
-// Each halving at a corner or a cusp of the curve quarters the error that is left there: 32 take it below
-// rounding.
-constexpr int most_halvings = 32;
-
-}  // namespace
-
-ArcLength::ArcLength(Curve curve) : curve_(std::move(curve)), hodograph_(derivative(curve_)) {
-  const std::vector<double> joints = breaks(curve_);
-  double rough = 0;
-  for (std::size_t i = 1; i < joints.size(); ++i) rough += gauss(joints[i - 1], joints[i]);
-  for (std::size_t i = 1; i < joints.size(); ++i)
-    measure(joints[i - 1], joints[i], gauss(joints[i - 1], joints[i]), relative_error / 16 * rough,
-            most_halvings);
-}
-
-double ArcLength::gauss(double from, double to) const {
+template <class Function>
+double gauss_sum(const Function& speed, double from, double to) {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -39,60 +29,149 @@ double ArcLength::gauss(double from, double to) const {
   return half * sum;
 }
 
+// In a unit in which no square leaves the range of double. Where coordinates are next to the largest double,
+// they are made smaller first: dC/du is longer than they are, by the degree.
+std::pair<Curve, double> hodograph_in_unit(const Curve& curve) {
+  double largest = 0, fastest = 0;
+  for (const Point& p : control_points(curve)) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  const double before = largest > 0x1p900 ? 0x1p-100 : 1;
+  const Curve slope = derivative(scaled(curve, before));
+  for (const Vector& v : control_points(slope)) fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
+  const double after = unit_scale(fastest);
+  return {scaled(slope, after), 1 / after / before};
+}
+
+}  // namespace
+
+ArcLength::ArcLength(Curve curve) : curve_(std::move(curve)), hodograph_(curve_) {
+  std::tie(hodograph_, unit_) = hodograph_in_unit(curve_);
+  const std::vector<double> joints = breaks(curve_);
+  const std::vector<Bezier> parts = bezier_pieces(hodograph_);
+  double rough = 0;
+  for (std::size_t i = 1; i < joints.size(); ++i) rough += gauss(joints[i - 1], joints[i]);
+  allowed_ = relative_error / 16 * rough;
+  for (std::size_t i = 1; i < joints.size(); ++i)
+    measure({joints[i - 1], joints[i], parts[i - 1].control_points()});
+  if (!std::isfinite(total())) throw std::invalid_argument("curve's length: must be finite");
+}
+
+double ArcLength::Piece::length() const {
+  const Bezier hodograph(speeds);
+  return (to - from) * gauss_sum([&](double s) { return hodograph.at(s).norm(); }, 0, 1);
+}
+
+double ArcLength::speed(double u) const { return first_contact::at(hodograph_, u).norm(); }
+
+double ArcLength::gauss(double from, double to) const {
+  return gauss_sum([this](double u) { return speed(u); }, from, to);
+}
+
 //! [arc_length]
 // Two halves are measured far better than the whole (by 2^16 where the speed is smooth): their difference
 // bounds the error. The halves are kept as pieces, so that later a part of a piece needs one more rule alone.
-void ArcLength::measure(double from, double to, double estimate, double allowed, int halvings) {
-  const double middle = 0.5 * (from + to);
-  const double left = gauss(from, middle), right = gauss(middle, to);
-  if (halvings > 0 && std::abs(left + right - estimate) > allowed) {
-    measure(from, middle, left, allowed / 2, halvings - 1);
-    measure(middle, to, right, allowed / 2, halvings - 1);
-    return;
+void ArcLength::measure(const Piece& piece) {
+  const auto [left, right] = piece.halves();
+  const double allowed = allowed_in(piece);
+  if (goes_one_way(piece, allowed)) {
+    const double left_length = left.length(), both = left_length + right.length();
+    if (!(std::abs(both - piece.length()) > allowed * (piece.to - piece.from))) {
+      parameters_.insert(parameters_.end(), {left.to, right.to});
+      lengths_.push_back(lengths_.back() + left_length);
+      lengths_.push_back(lengths_.end()[-2] + both);
+      return;
+    }
   }
-  parameters_.insert(parameters_.end(), {middle, to});
-  lengths_.push_back(lengths_.back() + left);
-  lengths_.push_back(lengths_.back() + right);
+  measure(left);
+  measure(right);
+}
+
+// The difference may be small by chance, where the speed has a corner between the points of the rule: that is
+// where a straight curve turns back. So it must also be known that there is none, since dC/du, which is in
+// the hull of its control vectors, keeps to one direction by and large. Or the piece is so nearly straight,
+// or so short, that it does not matter: its length is between its chord and its control polygon.
+bool ArcLength::goes_one_way(const Piece& piece, double allowed) {
+  const auto count = static_cast<double>(piece.speeds.size());
+  Vector mean = Vector::Zero();
+  double polygon = 0, deviation = 0;
+  for (const Vector& v : piece.speeds) mean += v / count;
+  for (const Vector& v : piece.speeds) {
+    polygon += v.norm() / count;
+    deviation = std::max(deviation, (v - mean).norm());
+  }
+  const double chord = mean.norm();
+  return deviation <= chord / 2 || !(polygon - chord > allowed);
 }
 //! [arc_length]
 
+double ArcLength::allowed_in(const Piece& piece) const {
+  double fastest = 0;
+  for (const Vector& v : piece.speeds) fastest = std::max(fastest, v.norm());
+  return std::max(allowed_, rounding_of_speed * static_cast<double>(piece.speeds.size()) * fastest);
+}
+
+std::pair<ArcLength::Piece, ArcLength::Piece> ArcLength::Piece::halves() const {
+  const double middle = 0.5 * (from + to);
+  Piece left{from, middle, {}}, right{middle, to, speeds};
+  for (std::size_t left_over = speeds.size(); left_over > 0; --left_over) {
+    left.speeds.push_back(right.speeds.front());
+    for (std::size_t i = 0; i + 1 < left_over; ++i)
+      right.speeds[i] = 0.5 * right.speeds[i] + 0.5 * right.speeds[i + 1];
+  }
+  return {left, right};
+}
+
 double ArcLength::to(double u) const {
   if (!(u > 0)) return 0;
-  if (u >= 1) return total();
+  return u >= 1 ? total() : length_to(u) * unit_;
+}
+
+double ArcLength::length_to(double u) const {
   const auto next = std::upper_bound(parameters_.begin(), parameters_.end(), u);
   const auto piece = static_cast<std::size_t>(next - parameters_.begin()) - 1;
   return std::clamp(lengths_[piece] + gauss(parameters_[piece], u), lengths_[piece], lengths_[piece + 1]);
 }
 
+double ArcLength::parameter(double length) const {
+  if (!(length > 0)) return 0;
+  return length >= total() ? 1 : parameter_at(length / unit_);
+}
+
 //! [arc_length_parameter]
 // Newton's steps, u += (s - length) / speed, kept within the bracket that they shrink; halving where they
 // leave it.
-double ArcLength::parameter(double length) const {
-  if (!(length > 0)) return 0;
-  if (length >= total()) return 1;
+double ArcLength::parameter_at(double length) const {
   const auto next = std::upper_bound(lengths_.begin(), lengths_.end(), length);
   const auto piece = static_cast<std::size_t>(next - lengths_.begin()) - 1;
   double low = parameters_[piece], high = parameters_[piece + 1];
   const double part = (length - lengths_[piece]) / (lengths_[piece + 1] - lengths_[piece]);
   double u = std::lerp(low, high, part);
   for (int step = 0; step < 100; ++step) {
-    const double missing = length - to(u);
+    const double missing = length - length_to(u);
     (missing > 0 ? low : high) = u;
     const double wished = u + missing / speed(u);
     const double better = wished > low && wished < high ? wished : 0.5 * (low + high);
-    if (std::abs(missing) <= relative_error / 16 * total() || better == u) break;
+    if (std::abs(missing) <= allowed_ || better == u) break;
     u = better;
   }
   return u;
 }
 //! [arc_length_parameter]
 
+// Where the curve stands still at its end, it leaves along the first control vector that is not zero.
+Vector ArcLength::direction_beyond(double end) const {
+  const Vector tangent = first_contact::at(hodograph_, end);
+  if (!tangent.isZero(0)) return tangent.normalized();
+  std::vector<Vector> speeds = control_points(hodograph_);
+  if (end == 1) std::reverse(speeds.begin(), speeds.end());
+  const auto first = std::find_if(speeds.begin(), speeds.end(), [](const Vector& v) { return !v.isZero(0); });
+  return first != speeds.end() ? Vector(first->normalized()) : tangent;
+}
+
 Point ArcLength::at(double part) const {
   const double inside = std::clamp(part, 0.0, 1.0);
-  const double u = parameter(inside * total());
-  Point point = first_contact::at(curve_, u);
-  if (part != inside) point += (part - inside) * total() * first_contact::at(hodograph_, u).normalized();
-  return point;
+  if (part != inside)
+    return first_contact::at(curve_, inside) + (part - inside) * total() * direction_beyond(inside);
+  return first_contact::at(curve_, parameter(part * total()));
 }
 
 }  // namespace first_contact

@@ -126,11 +126,53 @@ BSpline BSpline::derivative() const {
 std::vector<double> BSpline::breaks() const {
   std::vector<double> values{0};
   for (std::size_t i = degree_ + 1; i < control_.size(); ++i) {
-    const double u = (knots_[i] - first()) / (last() - first());
+    const double u = parameter_of(knots_[i]);
     if (u > values.back() && u < 1) values.push_back(u);
   }
   values.push_back(1);
   return values;
+}
+
+// De Boor's corner cutting with a value of its own at each level: with a and b in some number each, it gives
+// the control points of the piece from a to b as a Bezier curve (Ramshaw, Blossoming, 1987).
+Point BSpline::blossom(std::size_t piece, double a, double b, std::size_t times_b) const {
+  const auto from = control_.begin() + static_cast<std::ptrdiff_t>(piece - degree_);
+  std::vector<Point> points(from, from + static_cast<std::ptrdiff_t>(degree_ + 1));
+  for (std::size_t left = degree_; left > 0; --left)
+    for (std::size_t i = 0; i < left; ++i) {
+      const double begin = knots_[piece - left + 1 + i], end = knots_[piece + 1 + i];
+      points[i] = between(points[i], points[i + 1], ((left > times_b ? a : b) - begin) / (end - begin));
+    }
+  return points.front();
+}
+
+std::vector<Bezier> BSpline::pieces() const {
+  std::vector<Bezier> all;
+  for (std::size_t i = degree_; i < control_.size(); ++i) {
+    if (!(parameter_of(knots_[i]) < parameter_of(knots_[i + 1]))) continue;
+    std::vector<Point> points;
+    for (std::size_t k = 0; k <= degree_; ++k) points.push_back(blossom(i, knots_[i], knots_[i + 1], k));
+    all.emplace_back(std::move(points));
+  }
+  return all;
+}
+
+BSpline BSpline::scaled(double factor) const {
+  BSpline result = *this;
+  for (Point& p : result.control_) p *= factor;
+  return result;
+}
+
+Curve scaled(const Curve& curve, double factor) {
+  if (const auto* spline = std::get_if<BSpline>(&curve)) return spline->scaled(factor);
+  std::vector<Point> points = control_points(curve);
+  for (Point& p : points) p *= factor;
+  return Bezier(std::move(points));
+}
+
+std::vector<Bezier> bezier_pieces(const Curve& curve) {
+  const auto* spline = std::get_if<BSpline>(&curve);
+  return spline ? spline->pieces() : std::vector{std::get<Bezier>(curve)};
 }
 
 Point at(const Curve& curve, double u) {

@@ -60,13 +60,19 @@ class BSpline {
   std::size_t degree() const { return degree_; }
   /// The values of u at which the pieces join, with 0 and 1, ascending.
   std::vector<double> breaks() const;
+  /// The pieces between them.
+  std::vector<Bezier> pieces() const;
+  /// Each control point multiplied by a factor.
+  BSpline scaled(double factor) const;
 
  private:
   BSpline() = default;
   void require_sound() const;
   double first() const { return knots_[degree_]; }
   double last() const { return knots_[control_.size()]; }
+  double parameter_of(double knot) const { return (knot - first()) / (last() - first()); }
   std::size_t piece_of(double x) const;
+  Point blossom(std::size_t piece, double a, double b, std::size_t times_b) const;
 
   std::vector<Point> control_;
   std::size_t degree_ = 0;
@@ -87,6 +93,11 @@ Curve derivative(const Curve& curve);
 const std::vector<Point>& control_points(const Curve& curve);
 /// The values of u between which the curve is one polynomial, with 0 and 1, ascending.
 std::vector<double> breaks(const Curve& curve);
+
+/// The same curve, each control point multiplied by a factor.
+Curve scaled(const Curve& curve, double factor);
+/// The curve, from each of its `breaks` to the next, as Bezier curves.
+std::vector<Bezier> bezier_pieces(const Curve& curve);
 
 /// No longer than this is any vector of the curve's hodograph: the curve stays in the hull of its control
 /// points.

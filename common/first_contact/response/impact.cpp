@@ -1,10 +1,29 @@
 #include "first_contact/response/impact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
+
+namespace {
+
+template <int Dimension>
+double fastest(const Body<Dimension>& p, const Body<Dimension>& q) {
+  return std::max(p.velocity.cwiseAbs().maxCoeff(), q.velocity.cwiseAbs().maxCoeff());
+}
+
+template <int Dimension>
+const Impact<Dimension>& finite(const Impact<Dimension>& after) {
+  if (!after.velocity_p.allFinite() || !after.velocity_q.allFinite())
+    refuse("velocities after the impact", "must be finite");
+  if (!after.impulse.allFinite()) refuse("impulse, mass times velocity", "must be finite");
+  return after;
+}
+
+}  // namespace
 
 template <int Dimension>
 Body<Dimension>::Body(double m, const Velocity& v) : mass(m), velocity(v) {
@@ -17,18 +36,21 @@ template <int Dimension>
 Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
                          const Eigen::Matrix<double, Dimension, 1>& normal, double restitution) {
   if (!(restitution >= 0 && restitution <= 1)) refuse("restitution", restitution, "must be in 0 .. 1");
-  const double n2 = normal.squaredNorm();
-  if (!(n2 > 0) || !std::isfinite(n2)) refuse("normal", "must be finite and not zero");
+  const double size = normal.cwiseAbs().maxCoeff();
+  if (!normal.allFinite() || size == 0) refuse("normal", "must be finite and not zero");
+  const Eigen::Matrix<double, Dimension, 1> n = unit_scale(size) * normal;  // its length does not matter
 
-  const double approach = (p.velocity - q.velocity).dot(normal);
-  if (!(approach < 0)) return {p.velocity, q.velocity, 0 * normal};
+  const double slower = unit_scale(fastest(p, q));
+  const double approach = (slower * p.velocity - slower * q.velocity).dot(n);
+  if (!(approach < 0)) return {p.velocity, q.velocity, 0 * n};
 
   // Masses act by their inverses, so that 0 can stand for a body that nothing moves.
-  const double inverse_p = 1 / p.mass, inverse_q = 1 / q.mass;
+  const double lighter = unit_scale(std::min(p.mass, q.mass));
+  const double inverse_p = 1 / (lighter * p.mass), inverse_q = 1 / (lighter * q.mass);
   if (inverse_p + inverse_q == 0) refuse("masses", "at most one may be infinite");
-  const double impulse = -(1 + restitution) * approach / (n2 * (inverse_p + inverse_q));
-  return {p.velocity + (impulse * inverse_p) * normal, q.velocity - (impulse * inverse_q) * normal,
-          impulse * normal};
+  const double impulse = -(1 + restitution) * approach / (n.squaredNorm() * (inverse_p + inverse_q));
+  return finite<Dimension>({p.velocity + impulse * inverse_p / slower * n,
+                            q.velocity - impulse * inverse_q / slower * n, impulse * n / slower / lighter});
 }
 //! [impact]
 

@@ -35,8 +35,11 @@ struct Impact {
 /// left alone.
 /// \param normal from q to p, *at contact*; of any length but zero.
 /// \param restitution e in [0, 1]: 0, and they stay together; 1, and no energy is lost.
-/// \throws std::invalid_argument for a zero normal, a restitution out of range, or two immovable bodies that
-///     approach.
+///
+/// Error: a few eps of the speed of approach, whatever the units: masses, velocities and the normal may be as
+/// small or as large as a double can be.
+/// \throws std::invalid_argument for a zero normal, a restitution out of range, two immovable bodies that
+///     approach, or a velocity or an impulse that comes out larger than any double.
 template <int Dimension>
 Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
                          const Eigen::Matrix<double, Dimension, 1>& normal, double restitution);

@@ -6,6 +6,8 @@
 
 #include "first_contact/geometry/refuse.hpp"
 
+#include "first_contact/geometry/unit_scale.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -22,17 +24,20 @@ std::vector<Side> sides_of(const StageObject& object) {
   return sides;
 }
 
-// How far from this side a point counts as on it.
-double rounding(const Side& side, const Point2& p) {
-  return boundary_tolerance *
-         std::max({side.from.cwiseAbs().maxCoeff(), side.to.cwiseAbs().maxCoeff(), p.cwiseAbs().maxCoeff()});
+double largest(const Side& side, const Point2& p) {
+  return std::max({side.from.cwiseAbs().maxCoeff(), side.to.cwiseAbs().maxCoeff(), p.cwiseAbs().maxCoeff()});
 }
 
+// How far from this side a point counts as on it.
+double rounding(const Side& side, const Point2& p) { return boundary_tolerance * largest(side, p); }
+
 // Left of the side, seen along it: 1; right of it: -1; on its line, up to rounding: 0.
-int turn(const Side& side, const Point2& p) {
-  const Point2 along = side.to - side.from, m = p - side.from;
+int turn(const Side& side, const Point2& point) {
+  const double scale = unit_scale(largest(side, point));  // products of any coordinates are ordinary then
+  const Point2 from = scale * side.from, to = scale * side.to, p = scale * point;
+  const Point2 along = to - from, m = p - from;
   const double cross = along.x() * m.y() - along.y() * m.x();  // |along| times the distance from the line
-  return std::abs(cross) <= rounding(side, p) * along.lpNorm<1>() ? 0 : cross > 0 ? 1 : -1;
+  return std::abs(cross) <= rounding({from, to}, p) * along.lpNorm<1>() ? 0 : cross > 0 ? 1 : -1;
 }
 
 bool on(const Side& side, const Point2& p) {
