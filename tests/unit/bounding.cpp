@@ -117,6 +117,59 @@ TEST_CASE("Points that are equal, on one line, in one plane or on one sphere hav
   CHECK(bounding_sphere(grid).radius == Approx(std::sqrt(100 + 100 + 9) / 2));
   CHECK(bounding_sphere(ball).radius == Approx(1));
 }
+TEST_CASE("Four points a little out of one plane are all on the rim, and four of one circle do no harm") {
+  // Two above the circle of radius 1, two below it, by d: their sphere is sqrt(1 + d^2) large. The sphere of
+  // three of them would be too large by 3.5 d^2 if the fourth only pushed it.
+  for (const double d : {1e-2, 1e-3, 1e-4, 1e-5, 1e-9, 1e-13, 0.0}) {
+    CAPTURE(d);
+    const Points points{{1, 0, d}, {-1, 0, d}, {0, 1, -d}, {0, -1, -d}};
+    for (const Rigid& place : {Rigid(), turn}) {
+      Points moved;
+      for (const Point& p : points) moved.push_back(place.point(p));
+      const double smallest = std::sqrt(1 + d * d);
+      CHECK(std::abs(bounding_sphere(moved).radius - smallest) <= 1e-9 * smallest);
+    }
+  }
+}
+TEST_CASE("The bounding sphere of very many points of one circle is the circle's") {
+  for (const double tilt : {0.0, 0.3, 1.2}) {
+    Points points;
+    const Rigid place = Rigid::moved_by({100, -50, 3}).after(Rigid::turned({1, 2, 0.5}, tilt));
+    for (int i = 0; i < 1000; ++i) points.push_back(place.point({std::cos(i), std::sin(i), 0}));
+    CAPTURE(tilt);
+    CHECK(bounding_sphere(points).radius == Approx(1).epsilon(1e-9));
+  }
+}
+TEST_CASE("Far from the origin a bounding sphere is too large by 2 eps of its largest coordinate at most") {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  for (const double far : {1.0, 1e4, 1e8, 1e12, 1e16, 1e100})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      Points points = cloud(seed, 30, {1, 1, 1});
+      for (Point& p : points) p += Vector(far, -far / 3, far / 7);
+      Points nearby;  // the same points, seen from the first: exact
+      for (const Point& p : points) nearby.emplace_back(p - points.front());
+      const Sphere sphere = bounding_sphere(points);
+      CAPTURE(far, seed);
+      CHECK(sphere.radius <= (1 + 1e-9) * bounding_sphere(nearby).radius + 2 * eps * (far + 1));
+      for (const Point& p : points) CHECK((p - sphere.center).norm() <= sphere.radius);
+    }
+}
+TEST_CASE("Bounding shapes of points from 1e-320 to 1e300 apart are those of the same points at size 1") {
+  const Points points = cloud(9, 100, {3, 2, 1});
+  for (const int exponent : {-1050, -1000, -600, -300, 300, 600, 990}) {
+    CAPTURE(exponent);
+    Points scaled;
+    for (const Point& p : points)
+      scaled.emplace_back(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                          std::ldexp(p.z(), exponent));
+    const double rounding = exponent < -900 ? std::ldexp(1, -1070 - exponent) : 1e-14;
+    const auto at_size_1 = [&](double length) { return std::ldexp(length, -exponent); };
+    CHECK(at_size_1(bounding_sphere(scaled).radius) ==
+          Approx(bounding_sphere(points).radius).epsilon(1e-9 + rounding));
+    CHECK(at_size_1(principal_box(scaled).r.stableNorm()) ==
+          Approx(principal_box(points).r.norm()).epsilon(1e-9 + rounding));
+  }
+}
 TEST_CASE("A bounding sphere does not depend on how large the points' unit is") {
   const Points points = cloud(9, 200, {3, 2, 1});
   Points tiny = points;

@@ -131,7 +131,7 @@ Sphere bounding_sphere(std::span<const Point> points) {
   const Nearby nearby(points);
   const Sphere local = smallest(shuffled(nearby.local), {});
   Sphere sphere{nearby.back(local.center), 0};
-  for (const Point& p : points) sphere.radius = std::max(sphere.radius, (p - sphere.center).norm());
+  for (const Point& p : points) sphere.radius = std::max(sphere.radius, (p - sphere.center).stableNorm());
   return sphere;
 }
 
