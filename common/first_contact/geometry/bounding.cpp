@@ -36,6 +36,7 @@ struct Nearby {
   }
 
   Point back(const Point& p) const { return origin + p / scale; }
+  double distance(const Point& p, const Point& q) const { return (scale * (p - q)).norm() / scale; }
 
   Point origin;
   double scale;
@@ -131,7 +132,7 @@ Sphere bounding_sphere(std::span<const Point> points) {
   const Nearby nearby(points);
   const Sphere local = smallest(shuffled(nearby.local), {});
   Sphere sphere{nearby.back(local.center), 0};
-  for (const Point& p : points) sphere.radius = std::max(sphere.radius, (p - sphere.center).stableNorm());
+  for (const Point& p : points) sphere.radius = std::max(sphere.radius, nearby.distance(p, sphere.center));
   return sphere;
 }
 
