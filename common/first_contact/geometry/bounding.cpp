@@ -118,11 +118,13 @@ Box bounding_box(std::span<const Point> points) {
 //! [principal_box]
 Box principal_box(std::span<const Point> points) {
   require_points(points);
-  const Nearby nearby(points);
   Point mean = Point::Zero();
-  for (const Point& p : nearby.local) mean += p / static_cast<double>(points.size());
+  for (const Point& p : points) mean += p / static_cast<double>(points.size());
+  double widest = 0;
+  for (const Point& p : points) widest = std::max(widest, (p - mean).cwiseAbs().maxCoeff());
+  const double unit = unit_scale(widest);  // the axes are those in any unit
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Point& p : nearby.local) scatter += (p - mean) * (p - mean).transpose();
+  for (const Point& p : points) scatter += (unit * (p - mean)) * (unit * (p - mean)).transpose();
   return box_along(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors(), points);
 }
 //! [principal_box]
