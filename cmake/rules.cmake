@@ -1,13 +1,23 @@
 # What every target of this project is compiled with.
 
-# Warnings are errors here, but not for a project that uses the library as a part of its own.
+# Warnings are told to all who build the course, and are errors for those who develop it, never for those who learn from
+# it or who use the library as a part of a project of their own.
+option(FIRST_CONTACT_WERROR "Warnings are errors" OFF)
+
 # Floating-point expressions are rounded as written (no fused multiply-add of the compiler's own choice): printed
 # values are reproduced bit for bit, and the derived error bounds hold.
 function(house_rules target)
-  target_compile_options(${target} PRIVATE -ffp-contract=off)
-  if(PROJECT_IS_TOP_LEVEL)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /fp:precise /utf-8 /bigobj /permissive-)
+  else()
+    target_compile_options(${target} PRIVATE -ffp-contract=off)
   endif()
+  if(PROJECT_IS_TOP_LEVEL AND MSVC)
+    target_compile_options(${target} PRIVATE /W4)
+  elseif(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+  endif()
+  set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ${FIRST_CONTACT_WERROR})
 endfunction()
 
 # Headers that take long to read are read once for all targets that are compiled alike: together they take half the time.

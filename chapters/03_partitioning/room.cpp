@@ -36,9 +36,9 @@ std::vector<Triangle> shards(std::size_t count, Spread spread, std::uint64_t see
   std::vector<Triangle> all;
   all.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto [at, scale] = place(spread, random);
-    const auto corner = [&, at = at, scale = scale] {
-      return Point(at + size * scale * (2 * random.vector() - Vector::Ones()));
+    const Place middle = place(spread, random);
+    const auto corner = [&] {
+      return Point(middle.at + size * middle.scale * (2 * random.vector() - Vector::Ones()));
     };
     const Point a = corner(), b = corner(), c = corner();
     all.emplace_back(a, b, c);

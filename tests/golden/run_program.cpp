@@ -1,16 +1,16 @@
 #include "run_program.hpp"
 
 #include <algorithm>
-#include <boost/process.hpp>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <sstream>
 
+#include "first_contact/figure/child_process.hpp"
 #include "places.hpp"
 
 namespace fs = std::filesystem;
-namespace process = boost::process;
+namespace process = first_contact::figure::process;
 
 namespace {
 

@@ -148,7 +148,7 @@ TEST_CASE("A scene scaled by a power of two gives the scaled answer of the tree,
 }
 
 TEST_CASE(
-    "The answer does not depend on the order of the triangles; of several touched ones it is the first") {
+    "The answer does not depend on the order of the triangles, and of several touched ones it is the first") {
   const std::uint64_t seed = GENERATE(range(1u, 100u));
   Random random(seed);
   const Mesh mesh = troublesome(random, 1, Vector::Zero());

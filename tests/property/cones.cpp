@@ -79,7 +79,7 @@ TEST_CASE("What the fast tree leaves out for its normals, the plain tree finds n
   }
 }
 
-TEST_CASE("Inside a flat floor the cone is as narrow as its margin; at the rim there is none") {
+TEST_CASE("Inside a flat floor the cone is as narrow as its margin, at the rim there is none") {
   const Bvh floor(flat_floor());
   const auto cones = cones_of(floor);
   CHECK(cones.cosine_around({0, 0, 1}, place(floor, 2 * (4 + 1))) ==

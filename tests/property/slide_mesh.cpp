@@ -195,7 +195,7 @@ TEST_CASE("A scene turned by a quarter has the path turned by it, but for the ga
 }
 
 TEST_CASE(
-    "Pressed against an environment for many frames a sphere comes to rest, or moves on; it does not "
+    "Pressed against an environment for many frames a sphere comes to rest, or moves on, and does not "
     "jitter") {
   rc::prop("no step but the first few goes back and forth", [] {
     Trip trip = random_trip();

@@ -33,7 +33,7 @@ TEST_CASE("A ball dropped lands after sqrt(2 h / g) with sqrt(2 g h), and reboun
   CHECK_FALSE(drop.apex(0));
 }
 
-TEST_CASE("Thrown up it has a top before its first impact; thrown down it has none") {
+TEST_CASE("Thrown up it has a top before its first impact, thrown down it has none") {
   const Bounce up(1, -10, 10, 0.5);
   CHECK(up.apex(0)->time == 1);
   CHECK(up.apex(0)->height == 6);

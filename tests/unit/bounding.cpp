@@ -75,7 +75,7 @@ TEST_CASE("The bounding sphere of a box has the diagonal for its diameter") {
   CHECK(sphere.center.isApprox(turn.point(brick.center)));
   CHECK(sphere.radius == Approx(std::sqrt(21.0) / 2));
 }
-TEST_CASE("The bounding sphere of two points is about their middle; of one point it is that point") {
+TEST_CASE("The bounding sphere of two points is about their middle, of one point it is that point") {
   CHECK(bounding_sphere(Points{{0, 0, 0}, {2, 0, 0}}).center.isApprox(Point(1, 0, 0)));
   CHECK(bounding_sphere(Points{{0, 0, 0}, {2, 0, 0}}).radius == Approx(1));
   CHECK(bounding_sphere(Points{{4, 5, 6}}).center == Point(4, 5, 6));

@@ -51,7 +51,7 @@ TEST_CASE("Where a sum is rounded, the bounds of a sphere are rounded outwards")
   CHECK(bounds.max() == Point(std::nextafter(1, 2), std::nextafter(-1, 0), 0x1p-60));
 }
 
-TEST_CASE("Boxes that share a side, an edge or a corner overlap; the next number beyond does not") {
+TEST_CASE("Boxes that share a side, an edge or a corner overlap, the next number beyond does not") {
   CHECK(overlap(unit_box, bounds_between({1, 0, 0}, {2, 1, 1})));
   CHECK(overlap(unit_box, bounds_between({1, 1, 0}, {2, 2, 1})));
   CHECK(overlap(unit_box, bounds_between({1, 1, 1}, {2, 2, 2})));

@@ -32,7 +32,7 @@ TEST_CASE("Of many spheres, each pair that meets is found once, with the contact
   CHECK(found[0].contact.point() == contact->point());
 }
 
-TEST_CASE("Contacts come in the order of their times; of equal times, of the spheres' numbers",
+TEST_CASE("Contacts come in the order of their times, and of equal times, of the spheres' numbers",
           "[first_contacts]") {
   const std::vector<Moving<Sphere>> row{ball({0, 0, 0}, {0, 0, 0}),  ball({4, 0, 0}, {-4, 0, 0}),
                                         ball({0, 0, 20}, {0, 0, 0}), ball({8, 0, 20}, {-8, 0, 0}),
@@ -75,7 +75,7 @@ TEST_CASE("A contact at the very beginning, at the very end and at the seam of t
   CHECK(found[0].contact.time == time);
 }
 
-TEST_CASE("Boxes that share only their boundary do not overlap; boxes at different times do not either",
+TEST_CASE("Boxes that share only their boundary do not overlap, boxes at different times do not either",
           "[first_contacts]") {
   const SpaceTimeBox unit = box({0, 0, 0, 0}, {1, 1, 1, 1}, 0);
   CHECK(overlap(unit, box({0.5, 0.5, 0.5, 0.5}, {2, 2, 2, 2}, 1)));

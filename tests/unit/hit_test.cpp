@@ -80,7 +80,7 @@ TEST_CASE("hitTestObject compares boxes only: they overlap, and the shapes do no
   CHECK_FALSE(overlap(a, b));
 }
 
-TEST_CASE("Boxes that touch are a hit; the next number beyond is none") {
+TEST_CASE("Boxes that touch are a hit, the next number beyond is none") {
   CHECK(hit_test_object(StageObject(square), StageObject(square, moved(2, 2))));
   CHECK(overlap(StageObject(square), StageObject(square, moved(2, 2))));
   CHECK_FALSE(hit_test_object(StageObject(square), StageObject(square, moved(std::nextafter(2, 3), 0))));

@@ -10,7 +10,7 @@ TEST_CASE("Nothing is wrong with a cube, nor with a floor that ends") {
   CHECK(diagnose(test_meshes::tiled_floor(3)).none());
 }
 
-TEST_CASE("A triangle with two equal corners, or with three on a line, has no area; a thin one has") {
+TEST_CASE("A triangle with two equal corners, or with three on a line, has no area, a thin one has") {
   const std::vector<Point> vertices{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1e-12, 0}};
   CHECK(diagnose(Mesh(vertices, {{0, 1, 1}})).degenerate == 1);
   CHECK(diagnose(Mesh(vertices, {{0, 1, 2}})).degenerate == 1);

@@ -100,7 +100,7 @@ TEST_CASE("The kinds of edges do not change with the scale, by a power of two") 
   }
 }
 
-TEST_CASE("The corners of a cube stand out; a peak and a pit do") {
+TEST_CASE("The corners of a cube stand out, a peak and a pit do") {
   const MeshEdges cube(test_meshes::cube());
   for (std::uint32_t vertex = 0; vertex < 8; ++vertex) CHECK_FALSE(cube.buried(vertex));
   CHECK_FALSE(MeshEdges(test_meshes::fan({-1, -1, -1, -1, -1})).buried(0));
@@ -124,7 +124,7 @@ TEST_CASE("The corners of a single triangle stand out, a notch in a flat sheet d
   CHECK(edges.buried(0));
   for (std::uint32_t vertex = 1; vertex < 6; ++vertex) CHECK_FALSE(edges.buried(vertex));
 }
-TEST_CASE("A vertex of no face is buried; a face that has shrunk to a point is not") {
+TEST_CASE("A vertex of no face is buried, a face that has shrunk to a point is not") {
   const MeshEdges edges(Mesh{{{0, 0, 0}, {5, 5, 5}}, {{0, 0, 0}}});
   CHECK_FALSE(edges.buried(0));
   CHECK(edges.buried(1));

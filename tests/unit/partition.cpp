@@ -105,7 +105,8 @@ TEST_CASE(
   CHECK(counted.tests == 1);
 }
 
-TEST_CASE("As printed, E.Q >= r at both ends is no contact; one that touches at the very end is lost by it") {
+TEST_CASE(
+    "As printed, E.Q >= r at both ends is no contact, and one that touches at the very end is lost by it") {
   const Soup<BspTree> soup({floor_tile}, BspLimits{0, 64, 16, 8});
   const Plane e({0, 0, 1}, 0);
   const Point q1(0, 0, 3), q2(0, 0, 1);
@@ -151,7 +152,7 @@ TEST_CASE("Of triangles that are touched at the same time, the face wins, and th
 }
 
 TEST_CASE(
-    "Planes grown by r stick out at a sharp edge to r / sin of half its angle; the tree's last test does "
+    "Planes grown by r stick out at a sharp edge to r / sin of half its angle, the tree's last test does "
     "not") {
   const double r = 1;
   for (const double degrees : {90.0, 45.0, 15.0, 5.0}) {

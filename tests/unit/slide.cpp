@@ -198,7 +198,7 @@ TEST_CASE("After the last contact that is allowed the sphere stands") {
   CHECK(near(path.end(), {2, 1, 1}));
 }
 
-TEST_CASE("Walls that differ by less than the crease of them can be known act as one; others have a crease") {
+TEST_CASE("Walls that differ by less than the crease of them can be known act as one, others have a crease") {
   // Both rise in front of the sphere, turned about the line of sight by a hair or by a degree.
   const double angle = GENERATE(1e-15, 1e-12, 1e-9, 1e-7, 1e-3);
   const Room room{{Plane({-1, angle, 0}, 5), Plane({-1, -angle, 0}, 5)}};
@@ -277,7 +277,7 @@ TEST_CASE("Up a ramp, over its ridge and down again, a frame at a time") {
   CHECK(highest == Approx(1.5).epsilon(0.01));
 }
 
-TEST_CASE("Over a step lower than the radius the sphere rolls; a higher one stops it") {
+TEST_CASE("Over a step lower than the radius the sphere rolls, a higher one stops it") {
   const double step = GENERATE(0.1, 0.3, 0.6);
   const Environment stairs(profile({{-5, 0}, {0, 0}, {0, step}, {5, step}}));
   Sphere ball{{-2, 0, 0.5}, 0.5};

@@ -73,7 +73,7 @@ TEST_CASE("Spheres that graze have a contact, and the normal is across the motio
   CHECK(contact->point() == Point(0, 1, 0));
 }
 
-TEST_CASE("A sphere that ends short of another has no contact; one that arrives exactly has",
+TEST_CASE("A sphere that ends short of another has no contact, one that arrives exactly has",
           "[sphere_sphere]") {
   CHECK_FALSE(roll({4, 0, 0}, {-1.75, 0, 0}));
   CHECK(roll({4, 0, 0}, {-2, 0, 0})->time == 1);

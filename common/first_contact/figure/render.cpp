@@ -1,18 +1,12 @@
 #include "first_contact/figure/render.hpp"
 
-#include <boost/process/args.hpp>
-#include <boost/process/child.hpp>
-#include <boost/process/env.hpp>
-#include <boost/process/io.hpp>
-#include <boost/process/pipe.hpp>
-#include <boost/process/search_path.hpp>
-#include <boost/process/start_dir.hpp>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 
+#include "first_contact/figure/child_process.hpp"
 #include "first_contact/figure/style.hpp"
 
 namespace first_contact::figure {
@@ -20,7 +14,6 @@ namespace first_contact::figure {
 namespace {
 
 namespace fs = std::filesystem;
-namespace process = boost::process;
 
 // gnuplot counts the pictures of an animation aloud, "25 frames in animation sequence": no complaint, all
 // else is one.
