@@ -1,7 +1,5 @@
 #include "first_contact/figure/figure.hpp"
 
-#include <gnuplot-iostream.h>
-
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -10,6 +8,15 @@
 
 #include "first_contact/figure/render.hpp"
 #include "first_contact/figure/style.hpp"
+
+#if __has_include(<gnuplot-iostream.h>)
+#include <gnuplot-iostream.h>
+#else
+// Where gnuplot-iostream is not packaged: of all it does, a figure needs the writing of a script to ">FILE".
+struct Gnuplot : std::ofstream {
+  explicit Gnuplot(const std::string& file) : std::ofstream(file.substr(1)) {}
+};
+#endif
 
 namespace first_contact::figure {
 

@@ -18,6 +18,7 @@ struct Studio {
   std::string theme = "light";      ///< light, dark or grey, for png and pdf; an svg follows its reader
   bool chinese = false;             ///< labels in Traditional Chinese: another font
   std::string gnuplot = "gnuplot";  ///< the program that draws
+  std::string own;                  ///< a file of gnuplot commands read after the house style, or empty
 };
 
 /// The size of a picture in points (1/96 inch).

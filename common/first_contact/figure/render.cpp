@@ -24,16 +24,25 @@ bool is_count_of_frames(const std::string& said) {
          said.find_first_not_of(" \n", number + rest.size()) == std::string::npos;
 }
 
+// A text as gnuplot takes it literally.
+std::string quoted(const std::string& text) {
+  std::string literal = "'";
+  for (const char letter : text) literal += letter == '\'' ? "''" : std::string(1, letter);
+  return literal + "'";
+}
+
 // What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count.
 void run_gnuplot(const std::string& program, const Studio& studio, const fs::path& script,
                  const std::string& format) {
   process::ipstream complaints;
   process::environment environment = boost::this_process::environment();
   environment["LC_ALL"] = "C.UTF-8";  // else its conversion of a degree sign fails
-  process::child gnuplot(program,
-                         process::args = {"-e", "format='" + format + "'", "-e",
-                                          "theme='" + (format == "svg" ? "light" : studio.theme) + "'",
-                                          script.filename().string()},
+  std::vector<std::string> arguments{"-e", "format='" + format + "'", "-e",
+                                     "theme='" + (format == "svg" ? "light" : studio.theme) + "'"};
+  if (!studio.own.empty())
+    arguments.insert(arguments.end(), {"-e", "own=" + quoted(fs::absolute(studio.own).string())});
+  arguments.push_back(script.filename().string());
+  process::child gnuplot(program, process::args = arguments,
                          process::start_dir = script.parent_path().string(), process::std_out > process::null,
                          process::std_err > complaints, environment);
   const std::string said{std::istreambuf_iterator<char>(complaints), {}};

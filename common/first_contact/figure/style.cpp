@@ -37,6 +37,16 @@ std::string palette_of(bool dark) {
   return lines;
 }
 
+// What a style of one's own may change: these, and the palette above.
+std::string own_style(bool chinese) {
+  return std::string(
+             "\n# -e \"own='FILE'\" reads gnuplot commands of your own here: they may set these and the "
+             "colours.\n") +
+         "font = \"" + (chinese ? "Noto Sans CJK TC" : "DejaVu Serif") +
+         "\"; letters = 1.0; magnify = 1.0\nif (exists(\"own\")) load own\n" +
+         "typeface(size) = sprintf(\"%s,%g\", font, size * letters)\n";
+}
+
 constexpr const char* tones = R"(
 # fade(c, a): colour c with opacity a.  tone(c): a shaded colour, in grey if the theme is.
 fade(c, a) = c + int((1 - a) * 255 + 0.5) * 16777216
@@ -74,20 +84,23 @@ set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
 set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
 )";
 
-std::string terminals(const std::string& name, int width, int height, const std::string& font) {
+std::string terminals(const std::string& name, int width, int height) {
   std::ostringstream out;
   const std::string size = std::to_string(width) + "," + std::to_string(height);
-  const std::string large = std::to_string(2 * width) + "," + std::to_string(2 * height);
-  const std::string inches = std::to_string(width / 96.0) + "," + std::to_string(height / 96.0);
+  const std::string large =
+      "magnify * " + std::to_string(2 * width) + ",magnify * " + std::to_string(2 * height);
+  const std::string inches =
+      "magnify * " + std::to_string(width / 96.0) + ",magnify * " + std::to_string(height / 96.0);
   out << "if (format eq \"svg\") {\n"
-      << "  set terminal svg enhanced size " << size << " font \"" << font
-      << ",17\" rounded background rgb \"#ffffff\"\n"
+      << "  set terminal svg enhanced size " << size
+      << " font typeface(17) rounded background rgb \"#ffffff\"\n"
       << "} else { if (format eq \"png\") {\n"
-      << "  set terminal pngcairo enhanced size " << large << " font \"" << font
-      << ",17\" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER\n"
+      << "  set terminal pngcairo enhanced size " << large
+      << " font typeface(17) fontscale 2 * magnify linewidth 2 * magnify pointscale 2 * magnify rounded "
+         "background rgb PAPER\n"
       << "} else {\n"
-      << "  set terminal pdfcairo enhanced size " << inches << " font \"" << font
-      << ",13\" rounded background rgb PAPER\n"
+      << "  set terminal pdfcairo enhanced size " << inches
+      << " font typeface(13 * magnify) linewidth magnify rounded background rgb PAPER\n"
       << "} }\n"
       << "set output \"" << name << ".\" . format\n";
   return out.str();
@@ -96,13 +109,12 @@ std::string terminals(const std::string& name, int width, int height, const std:
 }  // namespace
 
 std::string style(const std::string& name, int width, int height, bool chinese) {
-  const std::string font = chinese ? "Noto Sans CJK TC" : "DejaVu Serif";
   return "# Draws " + name +
          ".svg; with -e \"format='png'\" (or 'pdf') and -e \"theme='dark'\" (or 'grey')\n" +
          "# before the script's name, the other pictures.\n" +
          "if (!exists(\"format\")) format = \"svg\"\nif (!exists(\"theme\")) theme = \"light\"\n" +
-         "if (theme eq \"dark\") {\n" + palette_of(true) + "} else {\n" + palette_of(false) + "}" + tones +
-         terminals(name, width, height, font) + lines_and_arrows;
+         "if (theme eq \"dark\") {\n" + palette_of(true) + "} else {\n" + palette_of(false) + "}" +
+         own_style(chinese) + tones + terminals(name, width, height) + lines_and_arrows;
 }
 
 std::string themed(std::string svg) {

@@ -120,6 +120,11 @@ Program::Program(std::string name, const std::string& chapter, const std::string
   in.choose("--format", in.format, {"svg", "png", "pdf"}, "of the pictures");
   in.choose("--theme", in.theme, {"light", "dark", "grey"},
             "of png and pdf; an svg follows its reader's theme");
+  in.add("--style", "FILE", "gnuplot commands read after the house style: sizes, letters, colours", "",
+         [&in](const std::string& text) {
+           if (!std::ifstream(text)) throw Refused("must be a file that can be read");
+           in.studio.own = text;
+         });
   in.line.add_flag("--json", in.as_json, "print only the results, as JSON");
   in.add("--values", "FILE", "write the numbers that the notes show", "", [&in](const std::string& text) {
     if (text.empty()) throw Refused("must name a file");
