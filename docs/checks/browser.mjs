@@ -1,13 +1,16 @@
 // Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
 // console, no formula in error, nothing wider than its page, text and figures' letters with enough contrast (WCAG AA); and by the keyboard alone.
 import {existsSync} from 'node:fs';
-import {basename, join} from 'node:path';
+import {basename, delimiter, join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 import {chapters, complain, filesBelow, html, otherPages} from '../tools/book.mjs';
 
+const folders = [...(process.env.PATH ?? '').split(delimiter), '/Applications/Google Chrome.app/Contents/MacOS',
+                 'C:/Program Files/Google/Chrome/Application'];
+const names = ['chromium', 'chromium-browser', 'google-chrome', 'Google Chrome', 'chrome.exe'];
 export const executable = () => process.env.CHROMIUM ??
-  ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+  names.flatMap((name) => folders.map((folder) => join(folder, name))).find(existsSync);
 
 const views = [['light', 1280, 900], ['dark', 1280, 900], ['light', 390, 800]];
 const keyboard = new Set(['index.html', 'plane.html', 'tween-bounce.html', 'library-motion.html']);  // one of each kind

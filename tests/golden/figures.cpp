@@ -38,7 +38,7 @@ std::string difference(const std::string& drawn, const std::string& committed) {
 
 // SVGs are compared byte for byte only where gnuplot is the version that drew the committed ones.
 bool pinned_gnuplot() {
-  return std::system("gnuplot --version 2>/dev/null | grep -q '^gnuplot 5.4 patchlevel 4'") == 0;
+  return run_command("gnuplot", {"--version"}).out.starts_with("gnuplot 5.4 patchlevel 4");
 }
 
 void check_chapter(const Chapter& chapter, bool pinned) {

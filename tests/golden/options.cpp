@@ -1,3 +1,4 @@
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
@@ -149,7 +150,10 @@ TEST_CASE("A gnuplot that fails is noticed: status 1 and its own words") {
 }
 
 TEST_CASE("A folder that cannot be made is a failure that is named") {
-  const Run run = run_program("plane", {"--out", "/proc/nowhere"});
+  const TemporaryFolder folder;
+  const std::string below_a_file = (folder.path() / "file" / "nowhere").string();
+  std::ofstream(folder.path() / "file") << "no folder\n";
+  const Run run = run_program("plane", {"--out", below_a_file});
   CHECK(run.status == 1);
-  CHECK(run.err.find("/proc/nowhere") != std::string::npos);
+  CHECK(run.err.find(below_a_file) != std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include "first_contact/figure/child_process.hpp"
@@ -16,10 +17,12 @@ namespace {
 
 std::string all_of(process::ipstream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
-Run run(const std::string& name, const std::vector<std::string>& arguments, const fs::path& folder,
+std::string built(const std::string& name) { return std::string(first_contact::places::build) + "/bin/" + name; }
+
+Run run(const std::string& file, const std::vector<std::string>& arguments, const fs::path& folder,
         const process::environment& environment) {
   process::ipstream out, err;
-  process::child child(std::string(first_contact::places::build) + "/bin/" + name, process::args = arguments,
+  process::child child(file, process::args = arguments,
                        process::start_dir = folder.string(),
                        process::std_in<process::null, process::std_out> out, process::std_err > err,
                        environment);
@@ -35,20 +38,26 @@ Run run(const std::string& name, const std::vector<std::string>& arguments, cons
 }  // namespace
 
 Run run_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& folder) {
-  return run(name, arguments, folder, boost::this_process::environment());
+  return run(built(name), arguments, folder, boost::this_process::environment());
+}
+
+Run run_command(const std::string& name, const std::vector<std::string>& arguments) {
+  const auto found = process::search_path(name);
+  if (found.empty()) return {127, "", ""};
+  return run(found.string(), arguments, fs::temp_directory_path(), boost::this_process::environment());
 }
 
 Run run_with(const std::string& variable, const std::string& value, const std::string& name,
              const std::vector<std::string>& arguments) {
   process::environment environment = boost::this_process::environment();
   environment[variable] = value;
-  return run(name, arguments, fs::temp_directory_path(), environment);
+  return run(built(name), arguments, fs::temp_directory_path(), environment);
 }
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "first-contact-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder " + name);
-  path_ = name;
+  std::random_device random;
+  do path_ = fs::temp_directory_path() / ("first-contact-" + std::to_string(random()));
+  while (!fs::create_directory(path_));
 }
 
 TemporaryFolder::~TemporaryFolder() {

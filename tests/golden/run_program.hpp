@@ -14,6 +14,9 @@ struct Run {
 Run run_program(const std::string& name, const std::vector<std::string>& arguments,
                 const std::filesystem::path& folder = std::filesystem::temp_directory_path());
 
+/// Runs a command of the system; one that is not found says nothing, with status 127.
+Run run_command(const std::string& name, const std::vector<std::string>& arguments);
+
 /// Runs it with another value of an environment variable.
 Run run_with(const std::string& variable, const std::string& value, const std::string& name,
              const std::vector<std::string>& arguments);

@@ -1,12 +1,16 @@
 #include "first_contact/program/mesh_loading.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <string>
 #include <utility>
 
 #include "first_contact/mesh_io/mesh_file.hpp"
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#else
+#include <io.h>
+#endif
 
 namespace first_contact::program {
 
@@ -28,12 +32,20 @@ class ProgressLine {
   std::string name_;
 };
 
+bool standard_error_is_a_terminal() {
+#if __has_include(<unistd.h>)
+  return isatty(STDERR_FILENO) != 0;
+#else
+  return _isatty(_fileno(stderr)) != 0;
+#endif
+}
+
 }  // namespace
 
 Mesh load_mesh(const std::filesystem::path& file) {
   std::error_code unknown;  // what cannot be asked cannot be read either, and read_mesh says so
   const auto bytes = std::filesystem::file_size(file, unknown);
-  if (unknown || bytes < large || isatty(STDERR_FILENO) == 0) return read_mesh(file);
+  if (unknown || bytes < large || !standard_error_is_a_terminal()) return read_mesh(file);
   const ProgressLine line(file.filename().string());
   return read_mesh(file, [&](double part) { line.show(part); });
 }
