@@ -39,12 +39,14 @@ std::string palette_of(bool dark) {
 
 // What a style of one's own may change: these, and the palette above.
 std::string own_style(bool chinese) {
-  return std::string(
-             "\n# -e \"own='FILE'\" reads gnuplot commands of your own here: they may set these and the "
-             "colours.\n") +
-         "font = \"" + (chinese ? "Noto Sans CJK TC" : "DejaVu Serif") +
-         "\"; letters = 1.0; magnify = 1.0\nif (exists(\"own\")) load own\n" +
-         "typeface(size) = sprintf(\"%s,%g\", font, size * letters)\n";
+  std::ostringstream out;
+  out << "\n# -e \"own='FILE'\" reads gnuplot commands of your own here: they may set these and the "
+         "colours.\n"
+      << "font = \"" << (chinese ? "Noto Sans CJK TC" : "DejaVu Serif")
+      << "\"; letters = 1.0; magnify = 1.0\n"
+      << "if (exists(\"own\")) load own\n"
+      << "typeface(size) = sprintf(\"%s,%g\", font, size * letters)\n";
+  return out.str();
 }
 
 constexpr const char* tones = R"(
