@@ -25,7 +25,7 @@ packages() {
         fonts-dejavu-core fonts-dejavu-extra fonts-noto-cjk ;;
     "debian notes") echo doxygen doxygen-awesome-css fonts-texgyre ;;
     "debian node") echo nodejs npm ;;
-    "debian browser") echo chromium ;;
+    "debian browser") ! grep -qx 'ID=debian' /etc/os-release || echo chromium ;;  # Ubuntu's is no package of apt-get's
     "debian bench") echo libbenchmark-dev libbullet-dev libfcl-dev libembree-dev ;;
     "debian coverage") echo gcovr ;;
     "debian format") echo git clang-format clang-tidy ;;
@@ -42,28 +42,39 @@ packages() {
 }
 ucrt() { printf 'mingw-w64-ucrt-x86_64-%s ' "$@"; }
 
-# How packages are installed there.
+# How packages are installed there, without a question.
 installer() {
+  local sudo="sudo "
+  ((EUID != 0)) || sudo=""
   case "$1" in
-    debian) echo "apt-get install -y --no-install-recommends" ;;
-    fedora) echo "sudo dnf install" ;;
-    arch) echo "sudo pacman -S --needed" ;;
+    debian) echo "${sudo}apt-get install -y --no-install-recommends" ;;
+    fedora) echo "${sudo}dnf install -y" ;;
+    arch) echo "${sudo}pacman -Sy --needed --noconfirm" ;;
     macos) echo "brew install" ;;
-    msys2) echo "pacman -S --needed" ;;
+    msys2) echo "pacman -S --needed --noconfirm" ;;
   esac
 }
 
-# The line that installs what these purposes need here, told to a reader.
-advise() {
+# The line that installs what these purposes need here; nothing where that is not known.
+line_for() {
   local system purpose names=""
   system=$(system_at_hand)
+  [[ "$system" != other ]] || return 0
   for purpose in "$@"; do names="$names $(packages "$system" "$purpose")"; done
+  [[ "$system" != debian ]] || printf '%s' "$(installer debian | sed 's/ install.*/ update/') && "
+  echo "$(installer "$system")$(printf ' %s' $names)"
+}
+
+# The same, told to a reader.
+advise() {
+  local system
+  system=$(system_at_hand)
   if [[ "$system" == other ]]; then
     say "Please install, by whatever name they have here: a C++20 compiler, CMake 3.25, Ninja, Eigen 3.4, Highway, Boost, CLI11,"
     say "nlohmann-json, Catch2, gnuplot; RapidCheck for the random tests; Doxygen, Node.js and Chromium for the notes."
     return
   fi
-  say "  $(installer "$system")$(printf ' %s' $names)"
+  say "  $(line_for "$@")"
   case "$system" in
     macos) say "and Apple's compiler, if it is not there: xcode-select --install" ;;
     msys2) say "in MSYS2's UCRT64 window. With Visual Studio and vcpkg instead: cmake --preset vcpkg (see README.md)." ;;
@@ -100,7 +111,7 @@ install_missing() {
     [[ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" == installed ]] || missing="$missing $package"
   done
   [[ -n "$missing" ]] || return 0
-  local as_root="env"
+  local as_root=env
   if ((EUID != 0)); then
     command -v sudo >/dev/null || ask_administrator "$missing"
     as_root=sudo
@@ -109,7 +120,7 @@ install_missing() {
   local log
   log=$(mktemp)
   if ! { $as_root DEBIAN_FRONTEND=noninteractive apt-get update && $as_root DEBIAN_FRONTEND=noninteractive \
-           $(installer debian) -o DPkg::Lock::Timeout=300 $missing; } >"$log" 2>&1 </dev/null; then
+           apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 $missing; } >"$log" 2>&1 </dev/null; then
     tail -n 20 "$log" >&2
     rm -f "$log"
     say "They could not be installed."
@@ -123,7 +134,7 @@ install_missing() {
 ask_administrator() {
   say "This needs packages that are not installed:$1"
   say "and you may not install them yourself here. Please ask whoever administers this computer to run, as root:"
-  say "  apt-get update && $(installer debian)$1"
+  say "  apt-get update && apt-get install -y --no-install-recommends$1"
   say "Then call the same command again: all the rest needs no rights."
   exit 1
 }
@@ -142,16 +153,26 @@ require_notes() {
   cp docs/package-lock.json docs/node_modules/installed-lock.json
 }
 
-# A browser for the checks of the pages: one that is there, or else Debian's. Ubuntu's is no package of apt-get's alone.
+# The tests check the notes as well, where what makes them is there.
+require_for_tests() {
+  if [[ "$(system_at_hand)" == debian ]] || has_notes_tools; then
+    require_notes_and_browser
+  else
+    require course
+    say "The notes are not checked: that needs Doxygen, Node.js, npm, and doxygen-awesome-css in \$DOXYGEN_AWESOME."
+  fi
+}
+has_notes_tools() {
+  command -v doxygen >/dev/null && command -v node >/dev/null && command -v npm >/dev/null &&
+    [[ -f "${DOXYGEN_AWESOME:-/usr/share/doxygen-awesome-css}/doxygen-awesome.css" ]]
+}
+
+# A browser for the checks of the pages: one that is there, or else Debian's.
 require_notes_and_browser() {
   local name
   [[ -z "${CHROMIUM:-}" ]] || { require_notes; return; }
   for name in chromium chromium-browser google-chrome; do
     ! command -v "$name" >/dev/null || { require_notes; return; }
   done
-  if [[ "$(system_at_hand)" == debian ]] && grep -qx 'ID=debian' /etc/os-release; then
-    require_notes browser
-  else
-    require_notes
-  fi
+  require_notes browser
 }
