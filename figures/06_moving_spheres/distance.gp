@@ -35,6 +35,10 @@ if (theme eq "dark") {
   SHADOW = 0xB3CADB
   MIST = 0xEEF3F6
 }
+# -e "own='FILE'" reads gnuplot commands of your own here: they may set these and the colours.
+font = "DejaVu Serif"; letters = 1.0; magnify = 1.0
+if (exists("own")) load own
+
 # fade(c, a): colour c with opacity a.  tone(c): a shaded colour, in grey if the theme is.
 fade(c, a) = c + int((1 - a) * 255 + 0.5) * 16777216
 luminance(c) = int(0.299 * (c / 65536 & 255) + 0.587 * (c / 256 & 255) + 0.114 * (c & 255))
@@ -47,11 +51,11 @@ if (theme eq "grey") {
   ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 720,400 font "DejaVu Serif,17" rounded background rgb "#ffffff"
+  set terminal svg enhanced size 720,400 font font . ",17" fontscale letters rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size 1440,800 font "DejaVu Serif,17" fontscale 2 linewidth 2 pointscale 2 rounded background rgb PAPER
+  set terminal pngcairo enhanced size magnify * 1440,magnify * 800 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size 7.500000,4.166667 font "DejaVu Serif,13" rounded background rgb PAPER
+  set terminal pdfcairo enhanced size magnify * 7.500000,magnify * 4.166667 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
 } }
 set output "distance." . format
 

@@ -44,8 +44,7 @@ std::string own_style(bool chinese) {
          "colours.\n"
       << "font = \"" << (chinese ? "Noto Sans CJK TC" : "DejaVu Serif")
       << "\"; letters = 1.0; magnify = 1.0\n"
-      << "if (exists(\"own\")) load own\n"
-      << "typeface(size) = sprintf(\"%s,%g\", font, size * letters)\n";
+      << "if (exists(\"own\")) load own\n";
   return out.str();
 }
 
@@ -95,14 +94,15 @@ std::string terminals(const std::string& name, int width, int height) {
       "magnify * " + std::to_string(width / 96.0) + ",magnify * " + std::to_string(height / 96.0);
   out << "if (format eq \"svg\") {\n"
       << "  set terminal svg enhanced size " << size
-      << " font typeface(17) rounded background rgb \"#ffffff\"\n"
+      << " font font . \",17\" fontscale letters rounded background rgb \"#ffffff\"\n"
       << "} else { if (format eq \"png\") {\n"
       << "  set terminal pngcairo enhanced size " << large
-      << " font typeface(17) fontscale 2 * magnify linewidth 2 * magnify pointscale 2 * magnify rounded "
-         "background rgb PAPER\n"
+      << " font font . \",17\" fontscale 2 * magnify * letters linewidth 2 * magnify "
+         "pointscale 2 * magnify rounded background rgb PAPER\n"
       << "} else {\n"
       << "  set terminal pdfcairo enhanced size " << inches
-      << " font typeface(13 * magnify) linewidth magnify rounded background rgb PAPER\n"
+      << " font font . \",13\" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb "
+         "PAPER\n"
       << "} }\n"
       << "set output \"" << name << ".\" . format\n";
   return out.str();
