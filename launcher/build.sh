@@ -27,7 +27,8 @@ alone() {
       rm -rf build/at-work
       continue
     fi
-    [[ -n "$told" ]] || say "Another ./course (process ${owner:-unknown}) is at work in this folder: waiting for it ..."
+    [[ -n "$told" ]] || say "Another ./course (process ${owner:-unknown}) is at work in this folder: waiting for it;"
+    [[ -n "$told" ]] || say "if there is none, remove build/at-work."
     told=yes
     sleep 1
   done

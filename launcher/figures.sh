@@ -132,16 +132,20 @@ take_over_own() {
   say "$count figures are in $into; look at them in $into/index.html."
 }
 
-# FIGURE<tab>CAPTION for each figure that an essay shows: what stands below it there.
+# FIGURE<tab>CAPTION<tab>DESCRIPTION for each figure that an essay shows: what stands below it there, its few formulas as
+# plain letters, and what it tells to those who do not see it.
 captions() {
-  awk '/^!\[.*\]\(.*figures\// { name = $0; sub(/.*figures\//, "", name); sub(/\.svg.*/, "", name); words = ""; next }
-       name != "" && /^[[:space:]]*$/ { print name "\t" words; name = "" }
+  awk '/^!\[.*\]\(.*figures\// { name = seen = $0; sub(/.*figures\//, "", name); sub(/\.svg.*/, "", name)
+                                 sub(/^!\[/, "", seen); sub(/\]\(.*/, "", seen); words = ""; next }
+       name != "" && /^[[:space:]]*$/ { print name "\t" words "\t" seen; name = "" }
        name != "" { sub(/^\{#[^}]*\} */, ""); words = words (words == "" ? "" : " ") $0 }
-       END { if (name != "") print name "\t" words }' chapters/*/*.md | sed 's/&/\&amp;/g; s/</\&lt;/g'
+       END { if (name != "") print name "\t" words "\t" seen }' chapters/*/*.md |
+    sed -e 's/&/\&amp;/g; s/</\&lt;/g; s/"/\&quot;/g; s/{{[^}]*}}/…/g; s/\\vec *//g; s/\\,//g; s/\\cdot/·/g; s/\\perp/⊥/g' \
+        -e 's/\\theta/θ/g; s/\\text//g; s/\\tfrac\(.\)\(.\)/\1\/\2/g; s/[$*{}]//g; s/\[\([^]]*\)\]([^)]*)/\1/g'
 }
 
 write_index() {
-  local all file name caption
+  local all file name caption seen
   all=$(captions)
   cat <<EOF
 <!doctype html>
@@ -156,9 +160,10 @@ EOF
   for file in "$into"/*/*."$format" "$into"/*/*.gif; do
     [[ -f "$file" ]] || continue
     name=${file#"$into"/}
-    caption=$(printf '%s\n' "$all" | awk -F '\t' -v name="${name%.*}" '$1 == name { print $2; exit }')
+    IFS=$'\t' read -r caption seen <<<"$(printf '%s\n' "$all" | awk -F '\t' -v name="${name%.*}" \
+      '$1 == name { print $2 "\t" $3; exit }')" || true
     echo "<figure><a href=\"$name\">"
-    if [[ "$name" == *.pdf ]]; then echo "<iframe loading=\"lazy\" src=\"$name\"></iframe>"; else echo "<img src=\"$name\" alt=\"\">"; fi
+    if [[ "$name" == *.pdf ]]; then echo "<iframe loading=\"lazy\" src=\"$name\"></iframe>"; else echo "<img src=\"$name\" alt=\"$seen\">"; fi
     echo "</a><figcaption><b>$name</b> $caption</figcaption></figure>"
   done
   echo "</html>"

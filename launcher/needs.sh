@@ -1,6 +1,7 @@
 # What a command needs, in the words of the system at hand: on Debian and Ubuntu it is installed where it is missing; on
 # others the line to type is told when something is missing. Needs bash 3.2 alone, as macOS has it.
 
+os_release=/etc/os-release
 # debian (also Ubuntu), fedora, arch, macos, msys2, or other.
 system_at_hand() {
   case "$(uname -s)" in
@@ -8,7 +9,7 @@ system_at_hand() {
     MINGW* | MSYS* | CYGWIN*) echo msys2; return ;;
   esac
   local names=""
-  [[ -r /etc/os-release ]] && names=$(. /etc/os-release && echo "${ID:-} ${ID_LIKE:-}")
+  [[ ! -r "$os_release" ]] || names=$(. "$os_release" && echo "${ID:-} ${ID_LIKE:-}")
   case " $names " in
     *" debian "* | *" ubuntu "*) echo debian ;;
     *" fedora "* | *" rhel "*) echo fedora ;;
@@ -25,7 +26,7 @@ packages() {
         fonts-dejavu-core fonts-dejavu-extra fonts-noto-cjk ;;
     "debian notes") echo doxygen doxygen-awesome-css fonts-texgyre ;;
     "debian node") echo nodejs npm ;;
-    "debian browser") ! grep -qx 'ID=debian' /etc/os-release || echo chromium ;;  # Ubuntu's is no package of apt-get's
+    "debian browser") ! grep -qx 'ID=debian' "$os_release" || echo chromium ;;  # Ubuntu's is no package of apt-get's
     "debian bench") echo libbenchmark-dev libbullet-dev libfcl-dev libembree-dev ;;
     "debian coverage") echo gcovr ;;
     "debian format") echo git clang-format clang-tidy ;;
@@ -130,21 +131,23 @@ install_missing() {
   rm -f "$log"
 }
 
-# For a reader who may not install anything.
+# For a reader who may not install anything: all that the two commands of the README need, asked for at once.
 ask_administrator() {
+  local names
+  names=$(printf '%s\n' $1 $(packages debian course) $(packages debian notes) $(packages debian node) \
+                 $(packages debian browser) | sort -u | tr '\n' ' ')
   say "This needs packages that are not installed:$1"
   say "and you may not install them yourself here. Please ask whoever administers this computer to run, as root:"
-  say "  apt-get update && apt-get install -y --no-install-recommends$1"
-  say "Then call the same command again: all the rest needs no rights."
+  say "  apt-get update && apt-get install -y --no-install-recommends $names"
+  say "Then call the same command again: nothing else needs any rights."
   exit 1
 }
 
 # What the notes are made and checked with; a Node.js that is there already will do, whoever installed it.
 require_notes() {
-  require course notes "$@"
-  if [[ "$(system_at_hand)" == debian ]]; then
-    { command -v node && command -v npm; } >/dev/null || require node
-  fi
+  local node=node
+  ! { command -v node && command -v npm; } >/dev/null || node=""
+  require course notes $node "$@"
   cmp -s docs/package-lock.json docs/node_modules/installed-lock.json && return
   writable docs
   alone

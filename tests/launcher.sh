@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# The launcher, without building anything: what it refuses, what it advises on each system, that it works alone, that a
+# moved build is noticed.   bash tests/launcher.sh ROOT
+set -uo pipefail
+cd "$1"
+failed=0 passed=0
+
+check() {  # NAME, then a command that must succeed
+  local name=$1
+  shift
+  if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $name"; fi
+}
+says() { [[ "$1" == *"$2"* ]]; }
+silent_of() { [[ "$1" != *"$2"* ]]; }
+
+refused() {  # ARGUMENTS: one line, status 2, nothing printed else
+  local said status
+  said=$(./course "$@" 2>&1)
+  status=$?
+  [[ $status == 2 && $(printf '%s\n' "$said" | wc -l) -eq 1 && "$said" == *"must"* ]]
+}
+check "an unknown format is refused" refused figures --format bmp
+check "an unknown theme is refused" refused figures --theme=sepia
+check "an unknown language is refused" refused figures --lang fr
+check "an option without its value is refused" refused figures --format --theme grey
+check "an unknown option is refused" refused figures --colour red
+check "an unknown figure is refused" refused figures figure-99
+check "a style that is not there is refused" refused figures --style no-such-style.gp
+check "an unknown program is refused" refused run chess
+check "an unknown command is refused" refused draw
+
+say() { printf '%s\n' "$*"; }
+root=$PWD
+. launcher/needs.sh
+. launcher/build.sh
+. launcher/figures.sh
+
+advice_on() {  # KERNEL, ID: what is advised there
+  (kernel=$1
+   uname() { echo "$kernel"; }
+   os_release=$(mktemp)
+   echo "ID=$2" >"$os_release"
+   advise course notes
+   rm -f "$os_release")
+}
+own_words() {  # KERNEL, ID, WORDS
+  local advice
+  advice=$(advice_on "$1" "$2")
+  says "$advice" "$3" || return 1
+  [[ "$2" == debian ]] || silent_of "$advice" "libeigen3-dev"
+}
+check "Debian's own words" own_words Linux debian "apt-get install -y --no-install-recommends g++ cmake"
+check "Fedora's own words" own_words Linux fedora "dnf install -y gcc-c++ cmake"
+check "Arch's own words" own_words Linux arch "pacman -Sy --needed --noconfirm gcc cmake"
+check "Homebrew's own words" own_words Darwin none "brew install cmake ninja"
+check "MSYS2's own words" own_words MINGW64_NT-10.0 none "mingw-w64-ucrt-x86_64-cmake"
+check "elsewhere it is said what it is" own_words FreeBSD none "by whatever name they have here"
+
+missing_from() { local log; log=$(mktemp); cat >"$log"; explain_configure "$log"; rm -f "$log"; }
+said=$(printf '%s\n' 'CMake Error at tests/CMakeLists.txt:3 (find_package):' \
+  '  Could not find a package configuration file provided by "Catch2" with any of' | missing_from)
+check "a package that CMake misses is named, with what to install" says "$said" "CMake does not find: Catch2. To install"
+
+check "a chapter by its program" [ "$(figures_named plane)" == 01_plane ]
+check "a figure by its name" [ "$(figures_named figure-13)" == 07_tween_bounce/figure-13 ]
+check "each figure that an essay shows has a caption" [ "$(captions | grep -c $'\t..*\t..*')" == "$(captions | wc -l)" ]
+check "no formula is left in a caption" silent_of "$(captions)" "\\"
+
+elsewhere=$(mktemp -d)
+trap 'rm -rf "$elsewhere"' EXIT
+cp -R launcher "$elsewhere/"
+cd "$elsewhere"
+root=$PWD
+unset FIRST_CONTACT_ALONE
+mkdir -p build/dev build/at-work
+echo 999999999 >build/at-work/process
+said=$(alone; ls build)
+check "a lock that was left is taken over" says "$said" "at-work"
+sleep 30 &
+other=$!
+mkdir -p build/at-work
+echo $other >build/at-work/process
+(alone; echo in) >waiting 2>&1 &
+second=$!
+sleep 1.5
+check "a second run waits, and says for whom" grep -q "process $other" waiting
+check "and does not begin" [ "$(grep -c '^in$' waiting)" == 0 ]
+kill $other 2>/dev/null
+wait $second
+check "it goes on when the first has ended" grep -q '^in$' waiting
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=/somewhere/else" >build/dev/CMakeCache.txt
+forget_if_moved dev >/dev/null
+check "a build of another folder is forgotten" [ ! -e build/dev ]
+mkdir -p build/dev
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/dev/CMakeCache.txt
+forget_if_moved dev
+check "a build of this folder is kept" [ -e build/dev/CMakeCache.txt ]
+
+echo "launcher: $passed passed, $failed failed"
+exit $((failed > 0))
