@@ -174,6 +174,10 @@ void note_costs(Program& program, const Costs& costs, const std::vector<Triangle
     program.value(name + ".looked_at", cost.per_flight(cost.looked_at));
     program.value(name + ".work",
                   static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(costs.objects)));
+    const auto all = static_cast<double>(costs.objects);
+    program.value(name + ".flights_to_pay",
+                  static_cast<double>(cost.work) /
+                      (all - cost.per_flight(cost.tests) - cost.per_flight(cost.looked_at)));
     program.value(name + ".times_fewer",
                   costs.brute_force.per_flight(costs.brute_force.tests) / cost.per_flight(cost.tests));
   };

@@ -237,6 +237,7 @@ void note_accuracy(program::Program& program) {
   span("areas_single", wrong_answers<float>(RayTest::areas));
   span("areas_double", wrong_answers<double>(RayTest::areas));
   span("none", wrong_answers<double>(RayTest::weights));
+  program.value("tolerance.areas_single_wrong", wrong_answers<float>(RayTest::areas).back().share);
 }
 
 }  // namespace general_sphere_chapter

@@ -17,6 +17,7 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "jaw.hpp"
 #include "scenes.hpp"
+#include "seam.hpp"
 
 using namespace first_contact;
 using namespace first_contact::program;
@@ -163,6 +164,12 @@ void note_faults(Program& program, const Environment& environment, const Moving<
   const Moving<Sphere> falling{{{1, 0, 3}, 0.5}, {0, 0, -3}};
   program.value("first_face", first_face_in_the_list(falling, step())->time);
   program.value("first_contact", sweep(falling, step())->time);
+  for (const auto& [name, r] : {std::pair("point", 0.0), std::pair("ball", 1.0)}) {
+    const SeamShots shots = shots_at_a_seam(r);
+    program.value("seam." + std::string(name) + ".balls", shots.balls);
+    program.value("seam." + std::string(name) + ".both_faces_missed", shots.both_faces_missed);
+    program.value("seam." + std::string(name) + ".missed", shots.missed);
+  }
 }
 //! [notes]
 

@@ -4,9 +4,11 @@
 
 #include "far_away.hpp"
 #include "figures/figures.hpp"
+#include "first_contact/program/counted.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "growth.hpp"
+#include "nearly_touching.hpp"
 #include "scene.hpp"
 
 using namespace first_contact;
@@ -155,6 +157,20 @@ void note_far_away(Program& program, const std::string& precision) {
   }
   program.value(precision + "_limit", 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()));
 }
+
+// ... when the two nearly touch already, and what the two times cost, counted.
+void note_near_and_cost(Program& program) {
+  const auto [by_difference, by_product] = nearly_touching(1e-4);
+  program.value("near_by_difference", by_difference);
+  program.value("near_by_product", by_product);
+  using program::Counted;
+  const Vector3<Counted> w(-3, 1, 0), u(2, 0, 1);
+  const program::Operations done = Counted::in([&] { return contact_times<Counted>(w, u, 2); });
+  program.value("cost.multiplications", done.multiplications);
+  program.value("cost.additions", done.additions);
+  program.value("cost.divisions", done.divisions);
+  program.value("cost.roots", done.roots);
+}
 //! [notes]
 
 }  // namespace
@@ -185,6 +201,7 @@ int main(int argc, char** argv) {
     note_roots(program, p, q);
     note_far_away<float>(program, "single");
     note_far_away<double>(program, "double");
+    note_near_and_cost(program);
     if (program.draws()) draw_moving_spheres_figures(program, p, q);
   });
 }

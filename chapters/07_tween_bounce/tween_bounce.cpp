@@ -223,6 +223,10 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
   program.value("rebound_gravity", 6.0 / 5 * scene.g);
   program.value("rebound_speed", scene.restitution * scene.v0);
   program.value("apex_by_formula", scene.restitution * scene.v0 / (6.0 / 5 * scene.g));
+  if (!motion.hits.empty()) {
+    const double up = scene.restitution * scene.v0 - 6.0 / 5 * scene.g * motion.hits.front().time;
+    program.value("apex_height_by_formula", up * up / (2 * 6.0 / 5 * scene.g));
+  }
   if (const auto tween = tween_bounce::plan(printed)) {
     const auto off = tween_bounce::off_plan(printed, *tween);
     program.value("off_line", off[0]);

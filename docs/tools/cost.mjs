@@ -13,19 +13,24 @@ const kinds = {
 };
 const words = ['no', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
 
-// The code between the two lines of its tag, without comments and texts.
-function codeOf(file, tag) {
+/// The code between the two lines of its tag, without comments and texts.
+export function codeOf(file, tag) {
   const place = [join(root, 'common', file), join(root, 'chapters', file)].find(existsSync);
   const part = place && read(place).split(new RegExp(`^\\s*//! \\[${tag}\\]$`, 'm'))[1];
   if (!part) throw new Error(`there is no code ${file} ${tag} to count in`);
   return part.replace(/\/\/.*$/gm, '').replace(/"(?:[^"\\]|\\.)*"/g, '""');
 }
 
-/// The words for "KIND: FILE TAG"; of several listings, "KIND: FILE TAG, FILE TAG", the sum.
+// What is done each time: the lines of the first loop up to its first question.
+const inLoop = (code) => /\bfor \(.*\{\n([\s\S]*?)\n\s*if /.exec(code)?.[1] ?? '';
+
+/// The words for "KIND: FILE TAG"; of several listings, "KIND: FILE TAG, FILE TAG", the sum. "KIND in loop: ..." counts what is done
+/// each time.
 export function cost(body) {
-  const [kind, listings = ''] = body.split(/:\s*/);
+  const [whole, listings = ''] = body.split(/:\s*/), kind = whole.replace(/ in loop$/, '');
   if (!kinds[kind]) throw new Error(`cost ${kind}: must be one of ${Object.keys(kinds).join(', ')}`);
-  const count = listings.split(/,\s*/).map((listing) => codeOf(...listing.trim().split(/\s+/)).match(kinds[kind])?.length ?? 0)
+  const part = whole === kind ? (code) => code : inLoop;
+  const count = listings.split(/,\s*/).map((listing) => part(codeOf(...listing.trim().split(/\s+/))).match(kinds[kind])?.length ?? 0)
       .reduce((sum, each) => sum + each, 0);
   return `${words[count] ?? count} ${kind}${count === 1 || count === 0 && kind === 'root' ? '' : 's'}`;
 }

@@ -1,5 +1,6 @@
 // What is made from data: the head and foot of a chapter, the contents, the map of chapters.
 import {chapters, escape, otherPages} from './book.mjs';
+import {minutesOf} from './minutes.mjs';
 
 const numbered = (number) => chapters.find((chapter) => chapter.number === number);
 const linkTo = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`;
@@ -8,7 +9,7 @@ const linkTo = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${es
 export function chapterHead(chapter) {
   const needs = chapter.needs.length ? chapter.needs.map((n) => linkTo(numbered(n))).join(', ') : 'nothing';
   const paper = chapter.paper.map((section) => `<a href="papermap.html#s${section}">§${section}</a>`).join(', ');
-  const facts = [['Reading time', `${chapter.minutes} minutes`], ['Builds on', needs], ['In the paper', paper],
+  const facts = [['Reading time', `${minutesOf(chapter)} minutes`], ['Builds on', needs], ['In the paper', paper],
                  ['Program', `<code>./course run ${chapter.program}</code>`]];
   return `<div class="chapter-head"><p class="chinese" lang="zh-Hant">${chapter.chinese}</p>` +
          `<dl>${facts.map(([name, fact]) => `<div><dt>${name}</dt><dd>${fact}</dd></div>`).join('')}</dl></div>`;
@@ -111,4 +112,4 @@ export const chapterMap = () => '<div class="chapter-map">' +
 export const chapterList = () => '<ol class="chapters">' + chapters.map((chapter) =>
   `<li><a href="${chapter.page}"><span class="number">${chapter.number}</span><span class="title">${escape(chapter.title)}` +
   ` <span class="chinese" lang="zh-Hant">${chapter.chinese}</span></span></a>` +
-  `<p>${escape(chapter.question)} <small>${chapter.minutes} minutes · paper ${chapter.paper.map((s) => '§' + s).join(', ')}</small></p></li>`).join('') + '</ol>';
+  `<p>${escape(chapter.question)} <small>${minutesOf(chapter)} minutes · paper ${chapter.paper.map((s) => '§' + s).join(', ')}</small></p></li>`).join('') + '</ol>';

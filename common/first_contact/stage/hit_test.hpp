@@ -59,7 +59,7 @@ bool hit_test_object(const StageObject& a, const StageObject& b);
 /// is inside the other.
 bool overlap(const StageObject& a, const StageObject& b);
 
-/// The object under the pointer (paper, 2.4.3): of all whose shape it is in, the one drawn last, on top of
+/// The object under the pointer (paper, 3.2.4): of all whose shape it is in, the one drawn last, on top of
 /// the others. Nothing if there is none.
 std::optional<std::size_t> pick(std::span<const StageObject> drawn, const Point2& pointer);
 

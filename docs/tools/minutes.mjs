@@ -1,0 +1,20 @@
+// How long a chapter takes to read, from what stands in it: its words, its formulas, and the lines of its open listings.
+import {existsSync} from 'node:fs';
+import {codeOf} from './cost.mjs';
+import {read} from './book.mjs';
+
+const wordsAMinute = 150, linesAMinute = 25, formulasAMinute = 2;
+const notRead = [/<!--[\s\S]*?-->/g, /^\$\$[\s\S]+?\$\$$/gm, /^\\.*$/gm, /^```[\s\S]*?^```$/gm, /^!\[.*$/gm];
+
+function linesOf(text) {
+  const listings = [...text.matchAll(/^\\snippet (\S+) (\S+)$/gm)];
+  return listings.reduce((sum, [, file, tag]) => sum + codeOf(file, tag).split('\n').filter((line) => line.trim()).length, 0);
+}
+
+/// To the nearest five minutes.
+export function minutesOf({source}) {
+  if (!existsSync(source)) return 0;
+  const text = read(source), prose = notRead.reduce((rest, part) => rest.replace(part, ''), text);
+  const words = prose.match(/[\p{L}\d]+/gu).length, formulas = text.match(/^\$\$/gm)?.length ?? 0;
+  return 5 * Math.max(1, Math.round((words / wordsAMinute + linesOf(text) / linesAMinute + formulas / formulasAMinute) / 5));
+}
