@@ -9,24 +9,33 @@ namespace first_contact::batch {
 
 /// Where the numbers of many vectors stand.
 struct Vectors {
+  ///@{
+  /// A column for each coordinate.
   const double *x, *y, *z;
+  ///@}
 };
 
 /// Where the numbers of many moving spheres stand.
 struct Spheres {
-  Vectors center;
-  const double* radius;
-  Vectors displacement;
+  Vectors center;        ///< at t = 0
+  const double* radius;  ///< not negative
+  Vectors displacement;  ///< from t = 0 to t = 1
 };
 
 /// Where the numbers of many moving boxes stand.
 struct Boxes {
+  ///@{
+  /// As in Box, and in Moving.
   Vectors center, r, s, t, displacement;
+  ///@}
 };
 
 /// [N, D].
 struct FlatPlane {
+  ///@{
+  /// N, of length 1, and D.
   double x, y, z, offset;
+  ///@}
 };
 
 /// Writes `count` times: p[i] against q[i].
