@@ -19,29 +19,41 @@ struct Scene {
 //! [scene]
 
 //! [report]
-void tell(Report& report, const Scene& scene, const Moving<Sphere>& ball,
+// Each number is given once: to the reader, and by the rest of its line to --json and to the notes.
+void tell(Program& program, const Scene& scene, const Moving<Sphere>& ball,
           const std::optional<Contact>& contact) {
+  Report& report = program.report();
   const Vector n = scene.plane.normal();
+  program.result("/contact", nullptr);
   report.title({"A moving sphere meets a plane", "球面與平面之間的碰撞"}, "1.2");
   report.say({"The plane, and the sphere above it", "平面與球面"});
   report.row("N", n, {"unit normal of the plane E = [N, D]", "平面 E = [N, D] 的單位法向量"});
   report.row("D", scene.plane.offset(), {"signed distance of the origin", "原點到平面的距離"});
-  report.row("r", scene.radius, {"radius of the sphere", "球面半徑"});
-  report.row("E.S0", scene.plane.signed_distance(scene.from),
-             {"distance of the centre at t = 0", "t = 0 時球心的距離"});
-  report.row("E.S1", scene.plane.signed_distance(scene.to),
-             {"distance of the centre at t = 1", "t = 1 時球心的距離"});
-  report.row(
-      "N.V", n.dot(ball.displacement),
-      {"how much the centre rises in one motion; negative: it sinks", "球心沿法向量的位移，負值表示下降"});
+  program.row("r", scene.radius, {"radius of the sphere", "球面半徑"}).value("radius");
+  program
+      .row("E.S0", scene.plane.signed_distance(scene.from),
+           {"distance of the centre at t = 0", "t = 0 時球心的距離"})
+      .result("/distance_start");
+  program
+      .row("E.S1", scene.plane.signed_distance(scene.to),
+           {"distance of the centre at t = 1", "t = 1 時球心的距離"})
+      .result("/distance_end");
+  program
+      .row(
+          "N.V", n.dot(ball.displacement),
+          {"how much the centre rises in one motion; negative: it sinks", "球心沿法向量的位移，負值表示下降"})
+      .value("toward");
 
   if (!contact) return report.say({"No contact within 0 <= t <= 1.", "0 <= t <= 1 之間沒有發生碰撞"});
   report.say({"The first contact: the centre meets the plane moved out by r, E' = [N, D - r]",
               "碰撞：球心位於位移 r 後的平面 E' = [N, D - r]"});
-  report.row("t = -(E'.S0)/(E'.V)", contact->time, {"time of impact", "碰撞時間"});
-  report.row("S(t) = S0 + tV", Point(scene.from + contact->time * ball.displacement),
-             {"centre at that time", "碰撞時的球心"});
-  report.row("C = S(t) - rN", contact->point(), {"point of contact", "碰撞點"});
+  program.row("t = -(E'.S0)/(E'.V)", contact->time, {"time of impact", "碰撞時間"}).result("/contact/time");
+  program
+      .row("S(t) = S0 + tV", Point(scene.from + contact->time * ball.displacement),
+           {"centre at that time", "碰撞時的球心"})
+      .result("/contact/center");
+  program.row("C = S(t) - rN", contact->point(), {"point of contact", "碰撞點"}).result("/contact/point");
+  program.result("/contact/normal", contact->normal);
 }
 
 // What the paper leaves open: the normal must have unit length, and only an approach within 0 <= t <= 1 is a
@@ -65,29 +77,12 @@ void tell_corrections(Report& report, const Scene& scene, const Moving<Sphere>& 
 }
 //! [report]
 
-//! [results]
-void give_results(Program& program, const Scene& scene, const Moving<Sphere>& ball,
-                  const std::optional<Contact>& contact) {
-  program.result("/contact", nullptr);
-  if (contact) {
-    program.result("/contact/time", contact->time);
-    program.result("/contact/center", Vector(scene.from + contact->time * ball.displacement));
-    program.result("/contact/point", contact->point());
-    program.result("/contact/normal", contact->normal);
-  }
-  program.result("/distance_start", scene.plane.signed_distance(scene.from));
-  program.result("/distance_end", scene.plane.signed_distance(scene.to));
-}
-//! [results]
-
 //! [notes]
-// Numbers that the notes speak of: the printed formula without a test, and the error bound of `sweep`.
+// More numbers that the notes speak of: the printed formula without a test, and the error bound of `sweep`.
 void note(Program& program, const Scene& scene, const Moving<Sphere>& ball,
           const std::optional<Contact>& contact) {
   const double distance = scene.plane.signed_distance(scene.from);
   const double toward = scene.plane.normal().dot(ball.displacement);
-  program.value("radius", scene.radius);
-  program.value("toward", toward);
   program.value("closing", -toward);
   program.value("gap", distance - scene.radius);
   program.value("gap_end", scene.plane.signed_distance(scene.to) - scene.radius);
@@ -118,9 +113,8 @@ int main(int argc, char** argv) {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
     });
     const auto contact = sweep(ball, scene.plane);
-    tell(program.report(), scene, ball, contact);
+    tell(program, scene, ball, contact);
     tell_corrections(program.report(), scene, ball);
-    give_results(program, scene, ball, contact);
     note(program, scene, ball, contact);
     if (program.draws()) draw_plane_figures(program, scene.plane, ball, contact);
   });

@@ -24,7 +24,9 @@ struct Scene {
 //! [scene]
 
 //! [report]
-void tell_scene(Report& report, const Plane& plane, const Moving<Box>& moving) {
+// Each number is given once: to the reader, and by the rest of its line to --json and to the notes.
+void tell_scene(Program& program, const Plane& plane, const Moving<Box>& moving) {
+  Report& report = program.report();
   const Box& box = moving.shape;
   const Vector n = plane.normal();
   report.title({"A moving box meets a plane", "匣面與平面之間的碰撞"}, "1.3");
@@ -34,27 +36,37 @@ void tell_scene(Report& report, const Plane& plane, const Moving<Box>& moving) {
              {"length, width, thickness", "長、寬、厚"});
   report.row("R.N, S.N, T.N", Vector(box.r.dot(n), box.s.dot(n), box.t.dot(n)),
              {"how much each axis rises from the plane", "各主軸沿法向量的分量"});
-  report.row("r_eff = 1/2(|R.N|+|S.N|+|T.N|)", box.effective_radius(n), {"effective radius", "等效半徑"});
-  report.row("E.Q0", plane.signed_distance(box.center),
-             {"distance of the centre at t = 0", "t = 0 時中心的距離"});
+  program.row("r_eff = 1/2(|R.N|+|S.N|+|T.N|)", box.effective_radius(n), {"effective radius", "等效半徑"})
+      .result("/effective_radius");
+  program
+      .row("E.Q0", plane.signed_distance(box.center),
+           {"distance of the centre at t = 0", "t = 0 時中心的距離"})
+      .value("distance");
   report.row("E.Q1", plane.signed_distance(box.center + moving.displacement),
              {"distance of the centre at t = 1", "t = 1 時中心的距離"});
 }
 
-void tell_contact(Report& report, const Moving<Box>& moving, const std::optional<Contact>& contact) {
+void tell_contact(Program& program, const Moving<Box>& moving, const std::optional<Contact>& contact) {
+  Report& report = program.report();
+  program.result("/contact", nullptr);
   if (!contact) return report.say({"No contact within 0 <= t <= 1.", "0 <= t <= 1 之間沒有發生碰撞"});
   report.say({"The first contact: the centre meets the plane moved out by r_eff, E' = [N, D - r_eff]",
               "碰撞：中心位於位移 r_eff 後的平面 E' = [N, D - r_eff]"});
-  report.row("t = -(E'.Q0)/(E'.V)", contact->time, {"time of impact", "碰撞時間"});
-  report.row("Q(t) = Q0 + tV", Vector(moving.shape.center + contact->time * moving.displacement),
-             {"centre at that time", "碰撞時的中心"});
+  program.row("t = -(E'.Q0)/(E'.V)", contact->time, {"time of impact", "碰撞時間"}).result("/contact/time");
+  program
+      .row("Q(t) = Q0 + tV", Vector(moving.shape.center + contact->time * moving.displacement),
+           {"centre at that time", "碰撞時的中心"})
+      .result("/contact/center");
+  program.result("/contact/feature", to_string(contact->feature));
   const Text feature = contact->feature == Feature::vertex ? Text{"a vertex touches", "頂點接觸"}
                        : contact->feature == Feature::edge
                            ? Text{"an edge touches: its two ends", "稜接觸：兩端點"}
                            : Text{"a face touches: its four corners", "面接觸：四頂點"};
   const Eigen::Index count = contact->points.cols();
   for (Eigen::Index i = 0; i < count; ++i)
-    report.row(count == 1 ? "C" : "C" + std::to_string(i + 1), Vector(contact->points.col(i)), feature);
+    program.row(count == 1 ? "C" : "C" + std::to_string(i + 1), Vector(contact->points.col(i)), feature)
+        .result("/contact/points/" + std::to_string(i));
+  program.result("/contact/normal", contact->normal);
 }
 
 // What the paper gets wrong: one common sign for all three axes, and zeros that floating point never sees.
@@ -77,15 +89,20 @@ void tell_corrections(Report& report, const Plane& plane, const Box& box) {
              {"the same brick: it lands on its face", "同一匣面：以面接觸"});
 }
 
-void tell_landings(Report& report) {
-  report.say({"One brick of 1.8 x 1.2 x 0.9 falls from height 3: where does it land?",
-              "同一匣面 1.8 x 1.2 x 0.9 自高度 3 落下：以何處接觸？"});
-  for (const auto& landing : box_chapter::landings())
-    report.row("t, " + std::string(to_string(landing.contact.feature)), landing.contact.time,
-               {"on " + landing.name.english + ": r_eff = " + readable(landing.box.center.z()) +
-                    ", points: " + std::to_string(landing.contact.points.cols()),
-                landing.name.chinese + "接觸：r_eff = " + readable(landing.box.center.z()) + "，接觸點 " +
-                    std::to_string(landing.contact.points.cols()) + " 個"});
+void tell_landings(Program& program) {
+  program.report().say({"One brick of 1.8 x 1.2 x 0.9 falls from height 3: where does it land?",
+                        "同一匣面 1.8 x 1.2 x 0.9 自高度 3 落下：以何處接觸？"});
+  for (const auto& landing : box_chapter::landings()) {
+    const std::string feature = to_string(landing.contact.feature);
+    program
+        .row("t, " + feature, landing.contact.time,
+             {"on " + landing.name.english + ": r_eff = " + readable(landing.box.center.z()) +
+                  ", points: " + std::to_string(landing.contact.points.cols()),
+              landing.name.chinese + "接觸：r_eff = " + readable(landing.box.center.z()) + "，接觸點 " +
+                  std::to_string(landing.contact.points.cols()) + " 個"})
+        .value("landing." + feature + ".time");
+    program.value("landing." + feature + ".radius", landing.box.center.z());
+  }
 }
 
 void tell_sights(Report& report, Language language) {
@@ -131,23 +148,8 @@ void tell_bounding(Report& report, Language language) {
 }
 //! [report]
 
-//! [results]
-void give_results(Program& program, const Scene& scene, const Moving<Box>& moving,
-                  const std::optional<Contact>& contact) {
-  program.result("/effective_radius", moving.shape.effective_radius(scene.plane.normal()));
-  program.result("/contact", nullptr);
-  if (!contact) return;
-  program.result("/contact/time", contact->time);
-  program.result("/contact/center", Vector(scene.from + contact->time * moving.displacement));
-  program.result("/contact/feature", to_string(contact->feature));
-  for (Eigen::Index i = 0; i < contact->points.cols(); ++i)
-    program.result("/contact/points/" + std::to_string(i), Vector(contact->points.col(i)));
-  program.result("/contact/normal", contact->normal);
-}
-//! [results]
-
 //! [notes]
-// Numbers that the notes speak of: of the scene, ...
+// More numbers that the notes speak of: of the scene, ...
 void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving) {
   const auto& [box, motion] = moving;
   const Vector n = scene.plane.normal();
@@ -158,7 +160,6 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   program.value("r_n", box.r.dot(n));
   program.value("s_n", box.s.dot(n));
   program.value("t_n", box.t.dot(n));
-  program.value("distance", distance);
   program.value("toward", n.dot(motion));
   program.value("closing", -n.dot(motion));
   program.value("gap", std::abs(distance) - radius);
@@ -179,11 +180,6 @@ void note_studies(Program& program) {
   program.value("turned.corner_off", turned.corner_off);
   program.value("tolerance", parallel_tolerance);
   program.value("half_degree", std::sin(0.5 * std::acos(-1.0) / 180));
-  for (const auto& landing : box_chapter::landings()) {
-    const std::string name = to_string(landing.contact.feature);
-    program.value("landing." + name + ".time", landing.contact.time);
-    program.value("landing." + name + ".radius", landing.box.center.z());
-  }
   const auto sights = box_chapter::sights();
   program.value("sight.off_edge.distance", sights.back().distance);
   program.value("sight.off_edge.radius", sights.back().radius);
@@ -220,13 +216,12 @@ int main(int argc, char** argv) {
     const Box box = program.checked("--r", [&] { return Box{scene.from, scene.r, scene.s, scene.t}; });
     const auto moving = program.checked("--to", [&] { return Moving{box, Vector(scene.to - scene.from)}; });
     const auto contact = sweep(moving, scene.plane);
-    tell_scene(program.report(), scene.plane, moving);
-    tell_contact(program.report(), moving, contact);
+    tell_scene(program, scene.plane, moving);
+    tell_contact(program, moving, contact);
     tell_corrections(program.report(), scene.plane, box);
-    tell_landings(program.report());
+    tell_landings(program);
     tell_sights(program.report(), program.language());
     tell_bounding(program.report(), program.language());
-    give_results(program, scene, moving, contact);
     note_scene(program, scene, moving);
     note_studies(program);
     if (program.draws()) draw_box_figures(program, scene.plane, moving, contact);

@@ -51,40 +51,63 @@ std::string fixed(double value, int digits) {
 }
 
 //! [report]
-void tell_tree(Report& report, const Cost& cost, std::size_t objects) {
-  report.row("nodes", static_cast<double>(cost.nodes), {"of the tree", "樹的節點數"});
-  report.row("depth", static_cast<double>(cost.depth), {"of the deepest leaf", "最深的葉節點"});
-  report.row("work to build",
-             static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(objects)),
-             {"how often an object was looked at, on the average", "建樹時平均每個物品被檢視的次數"});
-  report.row("nodes looked at", cost.per_flight(cost.looked_at), {"on the average flight", "每次飛行平均"});
-  report.row("tests", cost.per_flight(cost.tests),
-             {"of the ball against a triangle, on the average flight", "球與三角形的測試，每次飛行平均"});
+// Each number is given once: to the reader, and by the rest of its line to --json and to the notes.
+void tell_tree(Program& program, const std::string& tree, const Costs& costs, const Cost& cost) {
+  const std::string place = "/" + tree, name = "in_" + tree;
+  program.row("nodes", cost.nodes, {"of the tree", "樹的節點數"}).result(place + "/nodes");
+  program.row("depth", cost.depth, {"of the deepest leaf", "最深的葉節點"}).result(place + "/depth");
+  program
+      .row("work to build",
+           static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(costs.objects)),
+           {"how often an object was looked at, on the average", "建樹時平均每個物品被檢視的次數"})
+      .value(name + ".work");
+  program.row("nodes looked at", cost.per_flight(cost.looked_at), {"on the average flight", "每次飛行平均"})
+      .value(name + ".looked_at");
+  program
+      .row("tests", cost.per_flight(cost.tests),
+           {"of the ball against a triangle, on the average flight", "球與三角形的測試，每次飛行平均"})
+      .value(name + ".per_flight");
+  program.value(
+      name + ".flights_to_pay",
+      static_cast<double>(cost.work) / (static_cast<double>(costs.objects) - cost.per_flight(cost.tests) -
+                                        cost.per_flight(cost.looked_at)));
+  program.value(name + ".times_fewer",
+                costs.brute_force.per_flight(costs.brute_force.tests) / cost.per_flight(cost.tests));
+  program.result(place + "/tests", cost.tests);
+  program.result(place + "/hits", cost.hits);
 }
 
-void tell(Report& report, const Costs& costs) {
+void tell(Program& program, const Costs& costs) {
+  Report& report = program.report();
   report.title({"Partitioning: who could be hit at all?", "分割的空間之碰撞測試"}, "1.4");
   report.say({"Balls that fly across a room of triangles", "球面飛越充滿三角形的房間"});
-  report.row("k", static_cast<double>(costs.objects), {"objects in the room", "房間內的物品數"});
-  report.row("flights", static_cast<double>(flight_count),
-             {"from anywhere to anywhere", "任意起點至任意終點"});
-  report.row("hits", static_cast<double>(costs.brute_force.hits),
-             {"flights that end at a triangle", "發生碰撞的飛行"});
+  program.row("k", costs.objects, {"objects in the room", "房間內的物品數"}).result("/objects");
+  program.row("flights", flight_count, {"from anywhere to anywhere", "任意起點至任意終點"})
+      .result("/flights");
+  program.row("hits", costs.brute_force.hits, {"flights that end at a triangle", "發生碰撞的飛行"})
+      .value("hits");
   report.say({"No structure: every flight is tested against every object", "不分割：每次飛行測試所有物品"});
   report.row("tests", costs.brute_force.per_flight(costs.brute_force.tests),
              {"on the average flight", "每次飛行平均"});
   report.say({"The octree: a cube cut into eight, and those again", "八元樹：立方體切成八等份，再繼續切"});
-  tell_tree(report, costs.octree, costs.objects);
-  report.row("log_8 k", log8(costs.objects),
-             {"the paper's time to find one object", "論文：平均找到一物品的時間"});
+  tell_tree(program, "octree", costs, costs.octree);
+  program
+      .row("log_8 k", log8(costs.objects),
+           {"the paper's time to find one object", "論文：平均找到一物品的時間"})
+      .value("log8");
   report.say({"The BSP tree: space cut in two along polygons", "BSP tree：以多邊形平面分割空間"});
-  tell_tree(report, costs.bsp, costs.objects);
+  tell_tree(program, "bsp", costs, costs.bsp);
   report.say({"The BVH: boxes around boxes, cut where few flights need both parts",
               "BVH：層層包圍的方盒，於較少飛行須兼顧兩側處分割"});
-  tell_tree(report, costs.bvh, costs.objects);
+  tell_tree(program, "bvh", costs, costs.bvh);
   report.say({"All four give the same contacts, to the last bit", "四者的碰撞結果完全相同"});
   report.row("same", truth(costs.agree()),
              {"time, point, normal, feature, triangle", "時間、碰撞點、法向量等"});
+  program.result("/brute_force/nodes", costs.brute_force.nodes);
+  program.result("/brute_force/depth", costs.brute_force.depth);
+  program.result("/brute_force/tests", costs.brute_force.tests);
+  program.result("/brute_force/hits", costs.brute_force.hits);
+  program.result("/same", costs.agree());
 }
 
 // The depth of k points in an octree with one point to a leaf.
@@ -127,7 +150,8 @@ void tell_same_side(Report& report) {
 }
 
 // Planes moved out by r, at a sharp edge.
-void tell_grown_planes(Report& report) {
+void tell_grown_planes(Program& program) {
+  Report& report = program.report();
   report.say(
       {"Planes of a tree grown by r instead of a last exact test: at a sharp edge they stick out, r = 1",
        "以外推 r 的平面代替最後的精確測試：在尖銳的稜過度凸出，r = 1"});
@@ -137,9 +161,11 @@ void tell_grown_planes(Report& report) {
     const auto early = time_at_grown_planes(falling, wedge);
     const auto contact = sweep(falling, Soup<BspTree>(wedge.faces()));
     const std::string exact = readable(16 - 16 * contact->time);
-    report.row("r / sin " + readable(degrees), 16 - 16 * *early,
-               {"height at which the ball stops; it touches at " + exact,
-                "外推平面使球停在此高度；實際接觸於 " + exact});
+    program
+        .row("r / sin " + readable(degrees), 16 - 16 * *early,
+             {"height at which the ball stops; it touches at " + exact,
+              "外推平面使球停在此高度；實際接觸於 " + exact})
+        .value("grown." + readable(degrees));
   }
   const Wedge wedge{15 * std::numbers::pi / 180};
   const Moving<Sphere> passing{{{-8, 0, 2}, 1}, {16, 0, 0}};
@@ -167,26 +193,9 @@ void tell_hit_tests(Report& report) {
 //! [report]
 
 //! [notes]
-// Numbers that the notes speak of: what a flight costs, ...
+// More numbers that the notes speak of: what a flight costs, ...
 void note_costs(Program& program, const Costs& costs, const std::vector<Triangle>& triangles) {
-  const auto note = [&](const std::string& name, const Cost& cost) {
-    program.value(name + ".per_flight", cost.per_flight(cost.tests));
-    program.value(name + ".looked_at", cost.per_flight(cost.looked_at));
-    program.value(name + ".work",
-                  static_cast<double>(cost.work) / std::max<double>(1, static_cast<double>(costs.objects)));
-    const auto all = static_cast<double>(costs.objects);
-    program.value(name + ".flights_to_pay",
-                  static_cast<double>(cost.work) /
-                      (all - cost.per_flight(cost.tests) - cost.per_flight(cost.looked_at)));
-    program.value(name + ".times_fewer",
-                  costs.brute_force.per_flight(costs.brute_force.tests) / cost.per_flight(cost.tests));
-  };
-  note("in_octree", costs.octree);
-  note("in_bsp", costs.bsp);
-  note("in_bvh", costs.bvh);
-  program.value("hits", static_cast<double>(costs.brute_force.hits));
   program.value("all_tests", static_cast<double>(costs.brute_force.tests));
-  program.value("log8", log8(costs.objects));
   const double pieces = static_cast<double>(BspTree(triangles).order().size());
   program.value("pieces", pieces / std::max<double>(1, static_cast<double>(costs.objects)));
   program.value("octree_node", sizeof(Octree::Node));
@@ -207,11 +216,6 @@ void note_depths(Program& program, std::uint64_t seed) {
 }
 
 void note_faults(Program& program, std::uint64_t seed) {
-  for (const double degrees : {45.0, 15.0, 5.0}) {
-    const Wedge wedge{degrees * std::numbers::pi / 180};
-    const auto time = time_at_grown_planes({{{0, 0, 16}, 1}, {0, 0, -16}}, wedge);
-    program.value("grown." + readable(degrees), 16 - 16 * *time);
-  }
   std::vector<Bounds> boxes;
   for (const Triangle& shard : shards(1000, Spread::even, seed)) boxes.push_back(bounds_of(shard));
   const Pairs pairs = overlapping_pairs(boxes);
@@ -221,19 +225,9 @@ void note_faults(Program& program, std::uint64_t seed) {
 }
 //! [notes]
 
-//! [results]
-void give_results(Program& program, const std::string& place, const Cost& cost) {
-  program.result(place + "/nodes", cost.nodes);
-  program.result(place + "/depth", cost.depth);
-  program.result(place + "/tests", cost.tests);
-  program.result(place + "/hits", cost.hits);
-}
-
 std::string at_most_a_million(double value) {
   return value >= 0 && value <= 1e6 ? "" : "must be from 0 to 1000000";
 }
-
-//! [results]
 
 //! [scene]
 struct Scene {
@@ -269,18 +263,11 @@ int main(int argc, char** argv) {
     const auto triangles = program.checked("--mesh", [&] { return triangles_of(scene); });
     const auto seed = static_cast<std::uint64_t>(scene.seed);
     const Costs costs(triangles, seed);
-    tell(program.report(), costs);
+    tell(program, costs);
     tell_log8(program.report(), seed);
     tell_same_side(program.report());
-    tell_grown_planes(program.report());
+    tell_grown_planes(program);
     tell_hit_tests(program.report());
-    program.result("/objects", costs.objects);
-    program.result("/flights", flight_count);
-    give_results(program, "/octree", costs.octree);
-    give_results(program, "/bsp", costs.bsp);
-    give_results(program, "/bvh", costs.bvh);
-    give_results(program, "/brute_force", costs.brute_force);
-    program.result("/same", costs.agree());
     note_costs(program, costs, triangles);
     note_depths(program, seed);
     note_faults(program, seed);

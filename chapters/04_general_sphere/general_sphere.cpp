@@ -36,7 +36,9 @@ struct Scene {
 //! [scene]
 
 //! [report]
-void tell_environment(Report& report, const Environment& environment) {
+// Each number is given once: to the reader, and by the rest of its line to --json and to the notes.
+void tell_environment(Program& program, const Environment& environment) {
+  Report& report = program.report();
   std::map<EdgeKind, std::size_t> count;
   for (const auto& edge : environment.topology().edges()) ++count[edge.kind];
   std::size_t buried = 0;
@@ -45,32 +47,45 @@ void tell_environment(Report& report, const Environment& environment) {
   report.title({"A moving sphere meets an arbitrary environment", "通用的球面碰撞"}, "2.1");
   report.say({"The environment: its features, and those that need no test (figures 8 and 9)",
               "環境：面、稜、頂點，以及不須檢測者（圖八、圖九）"});
-  const auto row = [&](const std::string& what, std::size_t number, const Text& meaning) {
-    report.row(what, std::to_string(number), meaning);
-  };
-  row("triangles", environment.mesh().size(), {"faces: each is moved out by r", "面：外推 r"});
-  row("convex edges", count[EdgeKind::convex],
-      {"a cylinder of radius r about each", "稜：半徑為 r 的圓柱體"});
-  row("concave edges", count[EdgeKind::concave],
-      {"from outside a face is always nearer", "凹陷的稜：不須檢測"});
-  row("flat edges", count[EdgeKind::flat],
-      {"seams between triangles of one face: no test", "同一平面內的接縫：不須檢測"});
-  row("boundary edges", count[EdgeKind::boundary], {"where the surface ends", "曲面邊界"});
-  row("non-manifold edges", count[EdgeKind::non_manifold], {"of three faces or more", "三個以上的面共用"});
-  row("buried vertices", buried, {"no test", "埋沒的頂點：不須檢測"});
+  program.row("triangles", environment.mesh().size(), {"faces: each is moved out by r", "面：外推 r"})
+      .value("faces");
+  program
+      .row("convex edges", count[EdgeKind::convex],
+           {"a cylinder of radius r about each", "稜：半徑為 r 的圓柱體"})
+      .value("convex");
+  program
+      .row("concave edges", count[EdgeKind::concave],
+           {"from outside a face is always nearer", "凹陷的稜：不須檢測"})
+      .value("concave");
+  program
+      .row("flat edges", count[EdgeKind::flat],
+           {"seams between triangles of one face: no test", "同一平面內的接縫：不須檢測"})
+      .value("flat");
+  program.row("boundary edges", count[EdgeKind::boundary], {"where the surface ends", "曲面邊界"})
+      .value("boundary");
+  report.row("non-manifold edges", count[EdgeKind::non_manifold],
+             {"of three faces or more", "三個以上的面共用"});
+  program.row("buried vertices", buried, {"no test", "埋沒的頂點：不須檢測"}).value("buried");
 }
 
-void tell_contact(Report& report, const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
+void tell_contact(Program& program, const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
+  Report& report = program.report();
+  program.result("/contact", nullptr);
   if (!contact) return report.say({"No contact within 0 <= t <= 1.", "0 <= t <= 1 之間沒有發生碰撞"});
   report.say({"The first contact: the earliest over all faces, edges and vertices",
               "碰撞：所有面、稜、頂點之中最早者"});
-  report.row("t", contact->time, {"time of impact", "碰撞時間"});
-  report.row("S(t) = S0 + tV", Point(moving.shape.center + contact->time * moving.displacement),
-             {"centre at that time", "碰撞時的球心"});
-  report.row("C = S(t) - rN", contact->point(), {"point of contact", "碰撞點"});
-  report.row("N", contact->normal, {"unit normal, from the environment to the sphere", "單位法向量"});
-  report.row("feature", std::string(to_string(contact->feature)), {"what is touched", "接觸的部分"});
-  report.row("triangle", std::to_string(contact->triangle), {"its number, from 0", "三角形編號"});
+  program.row("t", contact->time, {"time of impact", "碰撞時間"}).result("/contact/time");
+  program
+      .row("S(t) = S0 + tV", Point(moving.shape.center + contact->time * moving.displacement),
+           {"centre at that time", "碰撞時的球心"})
+      .result("/contact/center");
+  program.row("C = S(t) - rN", contact->point(), {"point of contact", "碰撞點"}).result("/contact/point");
+  program.row("N", contact->normal, {"unit normal, from the environment to the sphere", "單位法向量"})
+      .result("/contact/normal");
+  program.row("feature", std::string(to_string(contact->feature)), {"what is touched", "接觸的部分"})
+      .result("/contact/feature");
+  program.row("triangle", contact->triangle, {"its number, from 0", "三角形編號"})
+      .result("/contact/triangle");
 }
 
 // The earliest of the paper's cylinders about moved-out edges.
@@ -97,17 +112,21 @@ void tell_corrections(Report& report, const Moving<Sphere>& moving, const Enviro
   report.row("t", contact ? readable(contact->time) : "-", {"time of impact, as above", "碰撞時間（同上）"});
 }
 
-void tell_order(Report& report) {
+void tell_order(Program& program) {
+  Report& report = program.report();
   const Mesh stairs = step();
   const Moving<Sphere> falling{{{1, 0, 3}, 0.5}, {0, 0, -3}};
   report.say(
       {"As printed: the first face that is hit ends the search. A ball of radius 1/2 falls on a step of "
        "height 1",
        "論文所印：一碰到面就略過其餘檢測。半徑 1/2 的球落在高 1 的階梯上"});
-  report.row("t of the first face listed", first_face_in_the_list(falling, stairs)->time,
-             {"the floor below the step: the ball has gone through it", "階梯下的地面：球已穿過階梯"});
+  program
+      .row("t of the first face listed", first_face_in_the_list(falling, stairs)->time,
+           {"the floor below the step: the ball has gone through it", "階梯下的地面：球已穿過階梯"})
+      .value("first_face");
   report.say({"Corrected: the earliest of all features", "修正：取所有特徵中最早者"});
-  report.row("t of the first contact", sweep(falling, stairs)->time, {"the step", "階梯"});
+  program.row("t of the first contact", sweep(falling, stairs)->time, {"the step", "階梯"})
+      .value("first_contact");
 }
 
 void tell_ray(Report& report) {
@@ -131,27 +150,16 @@ double distance_from(const Environment& environment, const Point& point) {
   return least;
 }
 
-// Numbers that the notes speak of: the features of the environment, ...
+// More numbers that the notes speak of: the features of the environment, ...
 void note_features(Program& program, const Environment& environment) {
-  const MeshEdges& topology = environment.topology();
+  const std::size_t edges = environment.topology().edges().size();
   const std::size_t vertices = environment.mesh().vertices().size();
-  std::map<EdgeKind, double> count;
-  for (const auto& edge : topology.edges()) ++count[edge.kind];
-  double buried = 0;
-  for (std::uint32_t i = 0; i < vertices; ++i) buried += topology.buried(i);
-  program.value("faces", static_cast<double>(environment.mesh().size()));
-  program.value("edges", static_cast<double>(topology.edges().size()));
-  program.value("vertices", static_cast<double>(vertices));
-  program.value("features",
-                static_cast<double>(environment.mesh().size() + topology.edges().size() + vertices));
-  program.value("convex", count[EdgeKind::convex]);
-  program.value("concave", count[EdgeKind::concave]);
-  program.value("flat", count[EdgeKind::flat]);
-  program.value("boundary", count[EdgeKind::boundary]);
-  program.value("buried", buried);
+  program.value("edges", edges);
+  program.value("vertices", vertices);
+  program.value("features", environment.mesh().size() + edges + vertices);
 }
 
-// ... the cylinder as printed, and the order as printed.
+// ... and the cylinder as printed.
 void note_faults(Program& program, const Environment& environment, const Moving<Sphere>& moving) {
   const double radius = moving.shape.radius;
   program.value("radius", radius);
@@ -161,9 +169,6 @@ void note_faults(Program& program, const Environment& environment, const Moving<
     program.value("printed_time", *printed);
     program.value("printed_gap", distance_from(environment, stopped) - radius);
   }
-  const Moving<Sphere> falling{{{1, 0, 3}, 0.5}, {0, 0, -3}};
-  program.value("first_face", first_face_in_the_list(falling, step())->time);
-  program.value("first_contact", sweep(falling, step())->time);
   for (const auto& [name, r] : {std::pair("point", 0.0), std::pair("ball", 1.0)}) {
     const SeamShots shots = shots_at_a_seam(r);
     program.value("seam." + std::string(name) + ".balls", shots.balls);
@@ -172,19 +177,6 @@ void note_faults(Program& program, const Environment& environment, const Moving<
   }
 }
 //! [notes]
-
-//! [results]
-void give_results(Program& program, const Moving<Sphere>& moving, const std::optional<Contact>& contact) {
-  program.result("/contact", nullptr);
-  if (!contact) return;
-  program.result("/contact/time", contact->time);
-  program.result("/contact/center", Vector(moving.shape.center + contact->time * moving.displacement));
-  program.result("/contact/point", contact->point());
-  program.result("/contact/normal", contact->normal);
-  program.result("/contact/feature", to_string(contact->feature));
-  program.result("/contact/triangle", contact->triangle);
-}
-//! [results]
 
 Environment environment_of(Program& program, const Scene& scene) {
   if (!program.given("--mesh")) return Environment(cut_cube());
@@ -225,14 +217,13 @@ int main(int argc, char** argv) {
     const Environment environment = environment_of(program, scene);
     run_casts(program, scene, environment);
     const auto contact = sweep(moving, environment);
-    tell_environment(program.report(), environment);
-    tell_contact(program.report(), moving, contact);
+    tell_environment(program, environment);
+    tell_contact(program, moving, contact);
     tell_corrections(program.report(), moving, environment, contact);
-    tell_order(program.report());
+    tell_order(program);
     tell_ray(program.report());
     jaw::tell(program);
     if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
-    give_results(program, moving, contact);
     note_features(program, environment);
     note_faults(program, environment, moving);
     note_accuracy(program);

@@ -42,19 +42,21 @@ double length_of(const Slide& path) {
 }
 
 //! [report]
-// The first contact, and the paper's one projection.
-void tell_projection(Report& report, const Environment& environment, const Moving<Sphere>& ball) {
+// The first contact, and the paper's one projection. Each number is given once: to the reader, and by the rest
+// of its line to --json and to the notes.
+void tell_projection(Program& program, const Environment& environment, const Moving<Sphere>& ball) {
+  Report& report = program.report();
   const Point p2 = ball.shape.center + ball.displacement;
   report.row("P1", ball.shape.center, {"centre of the sphere at the start", "起點（球心）"});
   report.row("P2", p2, {"where it is sent", "欲行進至的位置"});
-  report.row("r", ball.shape.radius, {"radius of the sphere", "球面半徑"});
+  program.row("r", ball.shape.radius, {"radius of the sphere", "球面半徑"}).value("radius");
   const auto contact = sweep(ball, environment);
   if (!contact) return report.say({"It meets nothing on its way.", "途中沒有發生碰撞"});
 
   const Vector& n = contact->normal;
   const Point q = ball.shape.center + contact->time * ball.displacement, c = contact->point();
   const Point p3 = slide_target(p2, q, n), sunk = slide_target(p2, c, n);
-  report.row("t", contact->time, {"time of the first contact", "碰撞時間"});
+  program.row("t", contact->time, {"time of the first contact", "碰撞時間"}).value("time");
   report.row("Q = P1 + t(P2 - P1)", q, {"centre of the sphere at contact", "碰撞時的球心"});
   report.row("N", n, {"unit normal of the surface, to the sphere", "表面的單位法向量"});
   report.say({"As printed, the collision is \"at Q\"; with Q the point of the surface",
@@ -66,22 +68,25 @@ void tell_projection(Report& report, const Environment& environment, const Movin
   report.say({"Corrected: Q is the centre of the sphere", "修正：Q 為球心"});
   report.row("P3 = P2 - [(P2 - Q).N] N", p3, {"where it slides to", "滑行後的新位置"});
   report.row("(P3 - C).N ", (p3 - c).dot(n), {"height of the centre above the wall", "球心離牆高度"});
-  report.row("|P3 - Q|", (p3 - q).norm(), {"distance that it slides", "滑行距離"});
+  program.row("|P3 - Q|", (p3 - q).norm(), {"distance that it slides", "滑行距離"}).value("slid");
 }
 
 // The whole slide: each corner of the path.
-void tell_path(Report& report, const Slide& path, const Moving<Sphere>& ball) {
+void tell_path(Program& program, const Slide& path, const Moving<Sphere>& ball) {
+  Report& report = program.report();
   report.say({"The slide, each motion swept: " + text_of(path.ending).english,
               "滑行的路徑（每段皆作碰撞偵測）：" + text_of(path.ending).chinese});
-  report.row("contacts", static_cast<double>(path.contacts.size()),
-             {"how often it meets a wall", "碰撞次數"});
+  report.row("contacts", path.contacts.size(), {"how often it meets a wall", "碰撞次數"});
   for (std::size_t i = 0; i < path.positions.size(); ++i)
-    report.row("position " + std::to_string(i), path.positions[i],
-               i == 0                           ? Text{"start", "起點"}
-               : i + 1 == path.positions.size() ? Text{"end", "終點"}
-                                                : Text{"it meets a wall", "碰撞"});
-  report.row("length", length_of(path), {"of the path; never more than asked", "路徑長；不大於原距離"});
-  report.row("|P2 - P1|", ball.displacement.norm(), {"asked", "原距離"});
+    program
+        .row("position " + std::to_string(i), path.positions[i],
+             i == 0                           ? Text{"start", "起點"}
+             : i + 1 == path.positions.size() ? Text{"end", "終點"}
+                                              : Text{"it meets a wall", "碰撞"})
+        .result("/positions/" + std::to_string(i));
+  program.row("length", length_of(path), {"of the path; never more than asked", "路徑長；不大於原距離"})
+      .value("length");
+  program.row("|P2 - P1|", ball.displacement.norm(), {"asked", "原距離"}).value("asked");
 }
 
 // One projection alone leads into the next wall; the loop does not.
@@ -115,9 +120,7 @@ void tell_gap(Report& report) {
 }
 //! [report]
 
-void give_results(Program& program, const Slide& path) {
-  for (std::size_t i = 0; i < path.positions.size(); ++i)
-    program.result("/positions/" + std::to_string(i), path.positions[i]);
+void give_contacts(Program& program, const Slide& path) {
   program.result_list("/contacts");
   for (std::size_t i = 0; i < path.contacts.size(); ++i) {
     const Contact& contact = path.contacts[i];
@@ -132,12 +135,8 @@ void give_results(Program& program, const Slide& path) {
 }
 
 //! [notes]
-// Numbers that the notes speak of: of one wall, of walls one after the other, of a walk over the bunny.
-void note_wall(Program& program, const Environment& environment, const Moving<Sphere>& ball,
-               const Slide& path) {
-  program.value("radius", ball.shape.radius);
-  program.value("asked", ball.displacement.norm());
-  program.value("length", length_of(path));
+// More numbers that the notes speak of: of one wall, of walls one after the other, of a walk over the bunny.
+void note_wall(Program& program, const Environment& environment, const Moving<Sphere>& ball) {
   program.value("gap",
                 slide_gap * std::max(extent(environment), ball.shape.center.lpNorm<Eigen::Infinity>() +
                                                               ball.displacement.lpNorm<Eigen::Infinity>()));
@@ -146,10 +145,8 @@ void note_wall(Program& program, const Environment& environment, const Moving<Sp
   const Point p2 = ball.shape.center + ball.displacement;
   const Point q = ball.shape.center + contact->time * ball.displacement;
   const Point p3 = slide_target(p2, q, contact->normal);
-  program.value("time", contact->time);
   program.value("depth", (p2 - q).dot(contact->normal));
   program.value("left", (p2 - q).norm());
-  program.value("slid", (p3 - q).norm());
   program.value("through_x", p3.x());
   program.value("through_y", p3.y());
   program.value("through_z", p3.z());
@@ -216,8 +213,8 @@ int main(int argc, char** argv) {
     const Slide path = slide(ball, environment);
     Report& report = program.report();
     report.title({"A sphere slides along what it meets", "碰撞後的滑行距離"}, "2.2");
-    tell_projection(report, environment, ball);
-    tell_path(report, path, ball);
+    tell_projection(program, environment, ball);
+    tell_path(program, path, ball);
     tell_second_wall(report, crease, into_crease,
                      {"A second wall: the sphere goes on along the crease", "第二面牆：沿兩牆的交線滑行"});
     tell_second_wall(report, corner, into_corner,
@@ -226,8 +223,8 @@ int main(int argc, char** argv) {
     const auto grounds = walks::grounds();
     const auto all_walks = tell_walks(program, grounds, frames);
     if (program.given("--mesh")) tell_defects(report, environment.mesh());
-    give_results(program, path);
-    note_wall(program, environment, ball, path);
+    give_contacts(program, path);
+    note_wall(program, environment, ball);
     note_second_wall(program, "crease", crease, into_crease);
     note_second_wall(program, "corner", corner, into_corner);
     note_gap(program);

@@ -17,28 +17,36 @@ using namespace first_contact::program;
 namespace {
 
 //! [report]
-// The distance of the centres, and when they are d = rP + rQ apart.
-void tell_roots(Report& report, const Moving<Sphere>& p, const Moving<Sphere>& q) {
+// The distance of the centres, and when they are d = rP + rQ apart. Each number is given once: to the reader,
+// and by the rest of its line to --json and to the notes.
+void tell_roots(Program& program, const Moving<Sphere>& p, const Moving<Sphere>& q) {
   const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
+  Report& report = program.report();
   report.say({"As seen from Q: P moves with u, and they touch when their centres are d apart",
               "由 Q 看 P：以相對速度 u 移動，球心距離為 d 時相接觸"});
   report.row("w = P1 - Q1", w, {"from centre to centre at t = 0", "t = 0 時兩球心的差"});
   report.row("u = VP - VQ", u, {"difference of the velocities", "速度差"});
-  report.row("d = rP + rQ", p.shape.radius + q.shape.radius, {"sum of the radii", "半徑和"});
+  program.row("d = rP + rQ", p.shape.radius + q.shape.radius, {"sum of the radii", "半徑和"}).value("d");
   const auto times = contact_interval(p, q);
   if (u.squaredNorm() > 0) {
-    report.row("-w.u/u^2", -w.dot(u) / u.squaredNorm(), {"time of the closest approach", "最接近的時間"});
-    report.row("|w x u|/|u|", accurate_cross(w, u).norm() / u.norm(),
-               {"distance of the centres then; they meet if it is at most d",
-                "最接近時的球心距離；不大於 d 才會碰撞"});
+    program.row("-w.u/u^2", -w.dot(u) / u.squaredNorm(), {"time of the closest approach", "最接近的時間"})
+        .value("closest_time");
+    program
+        .row("|w x u|/|u|", accurate_cross(w, u).norm() / u.norm(),
+             {"distance of the centres then; they meet if it is at most d",
+              "最接近時的球心距離；不大於 d 才會碰撞"})
+        .value("closest_distance");
   }
   if (!times)
     return report.say({"The spheres never touch, or never part: no real root.", "沒有實根：沒有發生碰撞"});
-  report.row("t1", times->begin, {"the smaller root: contact begins", "較小的根：碰撞開始"});
-  report.row("t2", times->end, {"the larger root: the spheres part", "較大的根：分離開始"});
+  program.row("t1", times->begin, {"the smaller root: contact begins", "較小的根：碰撞開始"}).value("t1");
+  program.row("t2", times->end, {"the larger root: the spheres part", "較大的根：分離開始"}).value("t2");
 }
 
-void tell_contact(Report& report, const Meeting& meeting, const Interval& when) {
+void tell_contact(Program& program, const Meeting& meeting, const Interval& when) {
+  Report& report = program.report();
+  program.result("/contact", nullptr);
+  program.result("/separation_time", meeting.separation);
   const std::string within = readable(when.first) + " <= t <= " + readable(when.last);
   if (!meeting.contact) {
     report.say({"No contact within " + within + ".", within + " 之間沒有發生碰撞"});
@@ -49,12 +57,13 @@ void tell_contact(Report& report, const Meeting& meeting, const Interval& when) 
   }
   const Contact& contact = *meeting.contact;
   report.say({"The contact within " + within, within + " 之間發生碰撞"});
-  report.row("t", contact.time, {"time of contact", "碰撞時間"});
-  report.row("P(t) = P1 + t VP", meeting.p, {"centre of P", "P 的球心"});
-  report.row("Q(t) = Q1 + t VQ", meeting.q, {"centre of Q", "Q 的球心"});
+  program.row("t", contact.time, {"time of contact", "碰撞時間"}).result("/contact/time");
+  program.row("P(t) = P1 + t VP", meeting.p, {"centre of P", "P 的球心"}).result("/contact/p");
+  program.row("Q(t) = Q1 + t VQ", meeting.q, {"centre of Q", "Q 的球心"}).result("/contact/q");
   report.row("N = (Q - P)/|Q - P|", Vector(-contact.normal),
              {"the paper's normal, from P to Q; our contact's is its opposite", "法向量，由 P 至 Q"});
-  report.row("C = P(t) + rP N", contact.point(), {"point of contact", "碰撞點"});
+  program.row("C = P(t) + rP N", contact.point(), {"point of contact", "碰撞點"}).result("/contact/point");
+  program.result("/contact/normal", contact.normal);
 }
 
 // The printed root and the stable one, from far away, in the arithmetic of most games.
@@ -85,63 +94,38 @@ void tell_errors(Report& report) {
 // Of many spheres, every two may meet.
 void tell_crowd(Program& program) {
   const Work alike = work(10000, Crowd::alike), uneven = work(10000, Crowd::uneven);
-  const auto whole = [](std::size_t count) { return std::to_string(count); };
   Report& report = program.report();
   report.say({"Among 10000 spheres, every two may meet: boxes in space and time, halved again and again",
               "10000 個球，每兩個都可能相碰：時空中的盒，反覆對分"});
-  report.row("n(n - 1)/2", whole(alike.every_pair), {"pairs", "球對"});
-  report.row("along x", whole(alike.one_axis), {"pairs that overlap along x", "沿 x 方向重疊的球對"});
-  report.row("boxes", whole(alike.boxes), {"tests of boxes", "盒的測試數"});
-  report.row("sweeps", whole(alike.sweeps), {"pairs that are swept", "精確計算的球對"});
-  report.row("contacts", whole(alike.contacts), {"pairs that meet", "發生碰撞的球對"});
-  report.row("boxes, uneven", whole(uneven.boxes),
+  program.row("n(n - 1)/2", alike.every_pair, {"pairs", "球對"}).value("crowd_pairs");
+  program.row("along x", alike.one_axis, {"pairs that overlap along x", "沿 x 方向重疊的球對"})
+      .value("crowd_one_axis");
+  program.row("boxes", alike.boxes, {"tests of boxes", "盒的測試數"}).value("crowd_boxes");
+  report.row("sweeps", alike.sweeps, {"pairs that are swept", "精確計算的球對"});
+  program.row("contacts", alike.contacts, {"pairs that meet", "發生碰撞的球對"}).value("crowd_contacts");
+  report.row("boxes, uneven", uneven.boxes,
              {"one sphere as large as all of space, one in a hundred ten times as fast",
               "其一與全空間等大，百分之一快十倍"});
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   program.value("crowd", count(alike.spheres));
-  program.value("crowd_pairs", count(alike.every_pair));
-  program.value("crowd_one_axis", count(alike.one_axis));
-  program.value("crowd_boxes", count(alike.boxes));
   program.value("crowd_boxes_each", count(alike.boxes) / count(alike.spheres));
   program.value("crowd_boxes_uneven_each", count(uneven.boxes) / count(uneven.spheres));
   program.value("crowd_sweeps_each", count(alike.sweeps) / count(alike.spheres));
-  program.value("crowd_contacts", count(alike.contacts));
 }
 //! [report]
 
-void give_results(Program& program, const Meeting& meeting) {
-  program.result("/contact", nullptr);
-  if (const auto& contact = meeting.contact) {
-    program.result("/contact/time", contact->time);
-    program.result("/contact/p", meeting.p);
-    program.result("/contact/q", meeting.q);
-    program.result("/contact/point", contact->point());
-    program.result("/contact/normal", contact->normal);
-  }
-  program.result("/separation_time", meeting.separation);
-}
-
 //! [notes]
-// Numbers that the notes speak of: those of the quadratic equation, and what is lost far away.
+// More numbers that the notes speak of: those of the quadratic equation, and what is lost far away.
 void note_roots(Program& program, const Moving<Sphere>& p, const Moving<Sphere>& q) {
   const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
   const double d = p.shape.radius + q.shape.radius;
   program.value("w2", w.squaredNorm());
   program.value("u2", u.squaredNorm());
   program.value("wu", w.dot(u));
-  program.value("d", d);
   program.value("d2", d * d);
   program.value("discriminant", discriminant(u, accurate_cross(w, u), d));
   program.value("distance_begin", w.norm());
   program.value("distance_end", (w + u).norm());
-  if (u.squaredNorm() > 0) {
-    program.value("closest_time", -w.dot(u) / u.squaredNorm());
-    program.value("closest_distance", accurate_cross(w, u).norm() / u.norm());
-  }
-  if (const auto times = contact_interval(p, q)) {
-    program.value("t1", times->begin);
-    program.value("t2", times->end);
-  }
 }
 
 template <class Scalar>
@@ -193,11 +177,10 @@ int main(int argc, char** argv) {
     const auto when = program.checked("--interval", [&] { return scene.when(); });
     const Meeting meeting(p, q, when);
     program.report().title({"Two moving spheres", "兩個移動球面的碰撞"}, "2.3");
-    tell_roots(program.report(), p, q);
-    tell_contact(program.report(), meeting, when);
+    tell_roots(program, p, q);
+    tell_contact(program, meeting, when);
     tell_errors(program.report());
     tell_crowd(program);
-    give_results(program, meeting);
     note_roots(program, p, q);
     note_far_away<float>(program, "single");
     note_far_away<double>(program, "double");

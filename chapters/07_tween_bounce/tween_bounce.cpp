@@ -43,14 +43,16 @@ PrintedMotion run_printed(const Scene& scene, double v0) {
 
 //! [report]
 // Program 1: the samples of the tween.
-void tell_plan(Report& report, const PrintedMotion& motion) {
+void tell_plan(Program& program, const PrintedMotion& motion) {
+  Report& report = program.report();
   const auto tops = apexes(motion);
   const auto hit = [&](std::size_t i) { return std::to_string(motion.hits[i].sample); };
   report.say({"Program 1: the path is planned, dy = v0 dt - g t dT sample by sample",
               "程式 1：規劃移動補間的路徑，逐點計算 dy = vo dt - g t dT"});
   report.row("y(1)", motion.y.front(), {"height at the start", "起始高度"});
   if (motion.y.size() > 1)
-    report.row("y(2)", with_digits(motion.y[1], 8), {"one step later", "下一點的高度"});
+    program.row("y(2)", Shown{motion.y[1], with_digits(motion.y[1], 8)}, {"one step later", "下一點的高度"})
+        .value("second_height");
   if (!motion.hits.empty())
     report.row("first i, y(i) < 0", hit(0), {"sample number, from 1", "第一次低於地面的點序"});
   if (!tops.empty())
@@ -59,13 +61,16 @@ void tell_plan(Report& report, const PrintedMotion& motion) {
                 "反彈的最高點，t = " + readable(tops.front().time)});
   if (motion.hits.size() > 1)
     report.row("second i, y(i) < 0", hit(1), {"sample number", "第二次低於地面的點序"});
-  report.row("hits", std::to_string(motion.hits.size()),
-             {"in " + std::to_string(motion.y.size()) + " samples: at last every step is one",
-              std::to_string(motion.y.size()) + " 點中的碰撞次數：最後每一步都算一次"});
+  program
+      .row("hits", motion.hits.size(),
+           {"in " + std::to_string(motion.y.size()) + " samples: at last every step is one",
+            std::to_string(motion.y.size()) + " 點中的碰撞次數：最後每一步都算一次"})
+      .value("hits");
 }
 
 // Program 2: does the ball follow the plan?
-void tell_check(Report& report, const Flight& flight) {
+void tell_check(Program& program, const Flight& flight) {
+  Report& report = program.report();
   report.say({"Program 2: the path is tested against the plan, a line, a curve and a line",
               "程式 2：測試行進路線是否如規劃的直線與曲線"});
   for (std::size_t i = 0; i < std::min<std::size_t>(2, flight.impacts.size()); ++i) {
@@ -78,10 +83,14 @@ void tell_check(Report& report, const Flight& flight) {
     return report.also(
         {"  There is no plan of a fall, a rebound and a floor.", "  沒有下降、反彈與地面的規劃"});
   const auto off = tween_bounce::off_plan(flight, *tween);
-  report.row("off the line", off[0],
-             {"at most: the fall is not quite straight", "與直線的最大偏差：下降並非完全直線"});
-  report.row("off the curve", off[1],
-             {"at most: a parabola, drawn as a Bezier curve", "與 Bezier 曲線（拋物線）的最大偏差"});
+  program
+      .row("off the line", off[0],
+           {"at most: the fall is not quite straight", "與直線的最大偏差：下降並非完全直線"})
+      .value("off_line");
+  program
+      .row("off the curve", off[1],
+           {"at most: a parabola, drawn as a Bezier curve", "與 Bezier 曲線（拋物線）的最大偏差"})
+      .value("off_curve");
   report.row("off the floor", off[2], {"at most", "與地面的最大偏差"});
   for (std::size_t leg = 0; leg < 2; ++leg)
     if (const auto time = tween_bounce::meets_obstacle(*tween, leg))
@@ -121,7 +130,8 @@ void tell_printed(Report& report, const Scene& scene, const Flight& flight) {
               "共碰撞 " + std::to_string(flight.impacts.size()) + " 次"});
 }
 
-void tell_corrected(Report& report, const Scene& scene, const Bounce& bounce) {
+void tell_corrected(Program& program, const Scene& scene, const Bounce& bounce) {
+  Report& report = program.report();
   report.say(
       {"Corrected: each impact is solved for, y0 - v0 t - g t^2/2 = 0; it leaves e of the speed, e = " +
            readable(scene.restitution),
@@ -138,8 +148,10 @@ void tell_corrected(Report& report, const Scene& scene, const Bounce& bounce) {
           {"top of the rebound, at t = " + readable(apex->time), "反彈最高點，t = " + readable(apex->time)});
   }
   if (const auto rest = bounce.rest_time())
-    report.row("t1 + (2 v1/g) e/(1 - e)", *rest,
-               {"rest: infinitely many impacts before it (Zeno)", "靜止：此前碰撞無窮多次（Zeno）"});
+    program
+        .row("t1 + (2 v1/g) e/(1 - e)", *rest,
+             {"rest: infinitely many impacts before it (Zeno)", "靜止：此前碰撞無窮多次（Zeno）"})
+        .value("true_rest");
   else
     report.row("rest", std::string("never"), {"it never comes to rest on the floor", "永不靜止於地面"});
 }
@@ -155,19 +167,21 @@ double stepped_peak(Stepper stepper) {
 double solved_peak() { return Bounce(1, 0, 9.81, 1).apex(66)->height; }
 
 // Energy after a minute, restitution 1: time steps against impacts that are solved for.
-void tell_energy(Report& report) {
-  report.say(
+void tell_energy(Program& program) {
+  program.report().say(
       {"A ball dropped from 1 with e = 1, 60 pictures a second: how high does it bounce after a minute?",
        "自高度 1 落下、e = 1、每秒 60 格：一分鐘後彈多高？"});
-  const auto peak = [&](Stepper stepper, const std::string& name, const Text& meaning) {
-    report.row(name, stepped_peak(stepper), meaning);
+  const auto peak = [&](Stepper stepper, const std::string& name, const std::string& value,
+                        const Text& meaning) {
+    program.row(name, stepped_peak(stepper), meaning).value(value);
   };
-  peak(Stepper::explicit_euler, "explicit Euler",
+  peak(Stepper::explicit_euler, "explicit Euler", "explicit_peak",
        {"y += v dt, then v -= g dt", "先 y += v dt，再 v -= g dt"});
-  peak(Stepper::parabola, "exact parabolas", {"but each impact up to a step late", "但每次碰撞最多遲一格"});
-  peak(Stepper::semi_implicit_euler, "semi-implicit Euler",
+  peak(Stepper::parabola, "exact parabolas", "parabola_peak",
+       {"but each impact up to a step late", "但每次碰撞最多遲一格"});
+  peak(Stepper::semi_implicit_euler, "semi-implicit Euler", "semi_peak",
        {"v -= g dt, then y += v dt", "先 v -= g dt，再 y += v dt"});
-  report.row("solved at impacts", solved_peak(), {"nothing drifts", "沒有漂移"});
+  program.report().row("solved at impacts", solved_peak(), {"nothing drifts", "沒有漂移"});
 }
 
 // The fastest speed along a curve by the slowest, if one goes by its parameter.
@@ -193,13 +207,16 @@ double left_by_damp() {
 }
 
 // Two mistakes of tweens.
-void tell_tweens(Report& report) {
+void tell_tweens(Program& program) {
+  Report& report = program.report();
   report.say({"Tweens that go wrong: speed by a curve's parameter, and a lerp by 0.1 a frame",
               "補間的常見錯誤：以曲線參數當距離；每格 lerp 0.1"});
   const ArcLength arch(tween_bounce::arch());
-  report.row("fastest/slowest", unevenness(arch.curve()),
-             {"along a Bezier arch by its parameter; 1 by its length, " + readable(arch.total()),
-              "沿 Bezier 拱的參數；依弧長 " + readable(arch.total()) + " 則為 1"});
+  program
+      .row("fastest/slowest", unevenness(arch.curve()),
+           {"along a Bezier arch by its parameter; 1 by its length, " + readable(arch.total()),
+            "沿 Bezier 拱的參數；依弧長 " + readable(arch.total()) + " 則為 1"})
+      .value("unevenness");
   const auto left = [](int frames) { return with_digits(100 * left_by_lerp(frames), 2) + " %"; };
   report.row("left after 1 s, lerp", left(30) + ", " + left(60),
              {"at 30 and at 60 frames a second", "每秒 30 與 60 格"});
@@ -209,15 +226,13 @@ void tell_tweens(Report& report) {
 //! [report]
 
 //! [notes]
-// Numbers that the notes speak of: of the tweens, the printed fall, the solved one, and the stepped ones.
+// More numbers that the notes speak of: of the tweens, the printed fall, the solved one, and the stepped ones.
 void note(Program& program, const Scene& scene, const PrintedMotion& motion, const Bounce& bounce) {
   const Flight printed = tween_bounce::printed_flight(motion);
   program.value("v0", scene.v0);
   program.value("y0", scene.y0);
   program.value("dt", scene.dt);
   program.value("samples", static_cast<double>(motion.y.size()));
-  program.value("hits", static_cast<double>(motion.hits.size()));
-  program.value("second_height", motion.y.size() > 1 ? motion.y[1] : motion.y[0]);
   const PrintedMotion released = run_printed(scene, 0);
   program.value("released", released.y[std::min(released.y.size() - 1, std::size_t{100})]);
   program.value("rebound_gravity", 6.0 / 5 * scene.g);
@@ -229,8 +244,6 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
   }
   if (const auto tween = tween_bounce::plan(printed)) {
     const auto off = tween_bounce::off_plan(printed, *tween);
-    program.value("off_line", off[0]);
-    program.value("off_curve", off[1]);
     program.value("chords", static_cast<double>(chords(tween->curve(1), 1e-6).size() - 1));
   }
   for (std::size_t n = 1; n <= 3; ++n) {
@@ -241,11 +254,6 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
     program.value("true_v" + std::to_string(n), landing->speed);
     program.value("true_h" + std::to_string(n), apex->height);
   }
-  if (const auto rest = bounce.rest_time()) program.value("true_rest", *rest);
-  program.value("explicit_peak", stepped_peak(Stepper::explicit_euler));
-  program.value("parabola_peak", stepped_peak(Stepper::parabola));
-  program.value("semi_peak", stepped_peak(Stepper::semi_implicit_euler));
-  program.value("unevenness", unevenness(tween_bounce::arch()));
   program.value("arch_length", ArcLength(tween_bounce::arch()).total());
   program.value("left_30", left_by_lerp(30));
   program.value("left_60", left_by_lerp(60));
@@ -308,13 +316,13 @@ int main(int argc, char** argv) {
 
     Report& report = program.report();
     report.title({"A tween bounces: fast down, slow up", "移動補間動畫：下降快、反彈慢"}, "1.1, 2.4.2");
-    tell_plan(report, motion);
-    tell_check(report, printed);
+    tell_plan(program, motion);
+    tell_check(program, printed);
     tell_speeds(report, printed);
     tell_printed(report, scene, printed);
-    tell_corrected(report, scene, bounce);
-    tell_energy(report);
-    tell_tweens(report);
+    tell_corrected(program, scene, bounce);
+    tell_energy(program);
+    tell_tweens(program);
     give_results(program, flight);
     note(program, scene, motion, bounce);
     if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);

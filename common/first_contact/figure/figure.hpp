@@ -32,8 +32,10 @@ using Table = std::vector<std::vector<double>>;
 
 /// One figure: write its commands to `script()`, then `draw()`.
 ///
-/// Figure figure(studio, "figure-13"); figure.data("path", rows); figure.script() << "plot $path with lines
-/// ls 1\n"; figure.draw();
+///     Figure figure(studio, "figure-13");
+///     figure.data("path", rows);
+///     figure.script() << "plot $path with lines ls 1\n";
+///     figure.draw();
 class Figure {
  public:
   /// Begins the script `folder/name.gp` with the house style.

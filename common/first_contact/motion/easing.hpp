@@ -64,7 +64,7 @@ double in_out_bounce(double t);
 
 /// An easing with its name, and with the `in` of its family.
 struct Named {
-  std::string_view name;  ///< such as in_out_cubic
+  std::string_view name;  ///< such as "in-out cubic"
   Easing easing;          ///< the function
   Easing in;              ///< the `in` of its family
 };

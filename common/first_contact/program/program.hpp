@@ -21,10 +21,15 @@ namespace first_contact::program {
 /// 0, or 2 for bad usage (a line on standard error names the option, its value and the rule), or 1 for a
 /// failure.
 ///
-/// int main(int argc, char** argv) { Program program("plane", "01_plane", "A moving sphere meets a plane
-/// (paper, 1.2)."); double radius = 1; program.option("--radius", radius, "r", "radius of the sphere",
-/// not_negative); return program.run(argc, argv, [&] { ... program.report().row(...);
-/// program.result("/contact/time", ...); }); }
+///     int main(int argc, char** argv) {
+///       Program program("plane", "01_plane", "A moving sphere meets a plane (paper, 1.2).");
+///       double radius = 1;
+///       program.option("--radius", radius, "r", "radius of the sphere", not_negative);
+///       return program.run(argc, argv, [&] {
+///         ...
+///         program.row("t", contact->time, {"time of impact", "碰撞時間"}).result("/contact/time");
+///       });
+///     }
 class Program {
  public:
   /// \param name  of the program
@@ -73,6 +78,35 @@ class Program {
 
   /// What is printed for a reader.
   Report& report();
+  /// A number that has been told to the reader, and is told to others by the rest of the line.
+  template <class Value>
+  class Told {
+   public:
+    Told(Program& program, const Value& value) : program_(program), value_(value) {}
+
+    /// Also a result of `--json`, at that place.
+    const Told& result(const std::string& place) const {
+      program_.result(place, value_);
+      return *this;
+    }
+    /// Also a number that the notes show by that name.
+    const Told& value(const std::string& name) const {
+      program_.value(name, value_);
+      return *this;
+    }
+
+   private:
+    Program& program_;
+    Value value_;
+  };
+  /// A row of the report, as Report::row has it, and a number for all who want it:
+  ///
+  ///     program.row("t", time, {"time of impact", "碰撞時間"}).result("/contact/time").value("time");
+  template <class Value>
+  Told<Value> row(const std::string& equation, const Value& number, const Text& meaning) {
+    report().row(equation, number, meaning);
+    return {*this, number};
+  }
   ///@{
   /// A result that `--json` prints, at a place that a JSON pointer names (RFC 6901): "/contact/time",
   /// "/impacts/0/speed". A vector is [x, y, z], what is not there is null.
@@ -84,6 +118,7 @@ class Program {
   void result(const std::string& place, const std::vector<double>& value);
   void result(const std::string& place, const Vector& value);
   void result(const std::string& place, const char* value) { result(place, std::string(value)); }
+  void result(const std::string& place, const Shown& value) { result(place, value.number); }
   template <std::integral Whole>
   void result(const std::string& place, Whole value) {
     result(place, static_cast<long>(value));
@@ -98,6 +133,11 @@ class Program {
   /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as
   /// JSON.
   void value(const std::string& name, double number);
+  void value(const std::string& name, const Shown& number) { value(name, number.number); }
+  template <std::integral Whole>
+  void value(const std::string& name, Whole number) {
+    value(name, static_cast<double>(number));
+  }
   /// The language of this run.
   Language language() const;
   /// Text in the language of this run.

@@ -1,4 +1,5 @@
 #pragma once
+#include <concepts>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -13,6 +14,17 @@ std::string readable(double value);
 /// A vector for a reader: (1, -2, 0.5).
 std::string readable(const Vector& value);
 std::string readable(const std::string& value);
+/// A count for a reader: all of its digits.
+template <std::integral Whole>
+std::string readable(Whole value) {
+  return std::to_string(value);
+}
+/// A number with the text by which a reader sees it.
+struct Shown {
+  double number;     ///< what it is
+  std::string text;  ///< how it is shown
+};
+inline std::string readable(const Shown& value) { return value.text; }
 
 /// The report that a student follows: a title, then rows of symbol, value and meaning, with the paper's
 /// equation and printed value where there are any. It is printed whole at the end.
