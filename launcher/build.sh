@@ -11,7 +11,7 @@ writable() {
   local folder
   for folder in "$@"; do
     mkdir -p "$folder" 2>/dev/null && [[ -w "$folder" ]] && continue
-    say "course: $root/$folder cannot be written to; copy the course to a folder of your own"
+    say "course: $folder cannot be written to; it must be a folder of your own, and so must $root"
     exit 1
   done
 }

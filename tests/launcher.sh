@@ -26,6 +26,7 @@ check "an option without its value is refused" refused figures --format --theme 
 check "an unknown option is refused" refused figures --colour red
 check "an unknown figure is refused" refused figures figure-99
 check "a style that is not there is refused" refused figures --style no-such-style.gp
+check "the book's own figures are not overwritten by others" refused figures --format pdf --into figures
 check "an unknown program is refused" refused run chess
 check "an unknown command is refused" refused draw
 
