@@ -64,7 +64,7 @@ figure_options() {
       *) say "course: figures $option: must be an option that ./course figures --help lists"; exit 2 ;;
     esac
   done
-  if [[ -n "$into" && "$(cd "$into" 2>/dev/null && pwd -P)" == "$(pwd -P)/figures"* ]]; then
+  if [[ -n "$into" && "$(cd "$into" 2>/dev/null && pwd -P)/" == "$(pwd -P)/figures/"* ]]; then
     say "course: figures --into $into: must not be where the book's own figures are"
     exit 2
   fi
