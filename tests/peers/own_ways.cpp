@@ -1,4 +1,6 @@
+#include "first_contact/bvh/bvh.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
+#include "first_contact/bvh/cast/sphere_cast.hpp"
 #include "peers/ways.hpp"
 #include "peers/yardstick.hpp"
 
@@ -20,7 +22,9 @@ std::vector<Way> own_ways(const Mesh& mesh) {
       one_by_one("plain tree", [plain](const auto& cast) { return time_of(sweep(cast, *plain)); }),
       one_by_one("fast tree", [fast](const auto& cast) { return time_of(sweep(cast, *fast)); }),
       one_by_one("fast tree, portable",
-                 [fast](const auto& cast) { return time_of(bvh::sweep(cast, *fast, bvh::portable_walker)); }),
+                 [fast, plainest = bvh::all_walkers().back()](const auto& cast) {
+                   return time_of(bvh::sweep(cast, fast->parts(), *plainest));
+                 }),
       {"fast tree, batch", [fast, contacts](std::span<const Moving<Sphere>> casts, std::span<double> times) {
          contacts->resize(casts.size());
          sweep(casts, *fast, *contacts);

@@ -9,6 +9,7 @@
 
 #include "catch.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
+#include "first_contact/bvh/cast/sphere_cast.hpp"
 #include "first_contact/bvh/plain_bvh.hpp"
 #include "first_contact/geometry/environment.hpp"
 #include "first_contact/program/terrain.hpp"
@@ -112,6 +113,7 @@ TEST_CASE(
   const Environment environment(mesh);
   const PlainBvh plain(mesh);
   const Bvh fast(mesh);
+  const auto walkers = bvh::all_walkers();
   std::vector<Moving<Sphere>> casts;
   std::vector<std::optional<Contact>> expected;
   for (int i = 0; i < 100; ++i) {
@@ -121,7 +123,8 @@ TEST_CASE(
             told(sweep(casts.back(), fast)));
     REQUIRE(same(sweep(casts.back(), plain), expected.back()));
     REQUIRE(same(sweep(casts.back(), fast), expected.back()));
-    REQUIRE(same(bvh::sweep(casts.back(), fast, bvh::portable_walker), expected.back()));
+    for (const bvh::Walker* walker : walkers)
+      REQUIRE(same(bvh::sweep(casts.back(), fast.parts(), *walker), expected.back()));
   }
   std::vector<std::optional<Contact>> found(casts.size());
   sweep(casts, fast, found);
@@ -190,7 +193,11 @@ void require_alike(const Mesh& mesh, const Moving<Sphere>& moving) {
   CAPTURE(told(expected), told(sweep(moving, fast)));
   REQUIRE(same(sweep(moving, PlainBvh(mesh)), expected));
   REQUIRE(same(sweep(moving, fast), expected));
-  REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+  static const auto walkers = bvh::all_walkers();
+  for (const bvh::Walker* walker : walkers) {
+    CAPTURE(walker->name);
+    REQUIRE(same(bvh::sweep(moving, fast.parts(), *walker), expected));
+  }
 }
 
 }  // namespace
@@ -228,4 +235,10 @@ TEST_CASE("A tree of nothing is touched by nothing") {
   CHECK_FALSE(sweep(Moving<Sphere>{{{0, 0, 0}, 1}, {1, 0, 0}}, fast));
   CHECK_FALSE(sweep(Moving<Sphere>{{{0, 0, 0}, 1}, {1, 0, 0}}, PlainBvh(Mesh({}, {}))));
   sweep(std::span<const Moving<Sphere>>{}, fast, {});
+}
+
+TEST_CASE("The walk is compiled for the plainest of machines, and for the machine that runs this") {
+  const auto walkers = bvh::all_walkers();
+  CHECK(walkers.size() >= 1);
+  CHECK(std::find(walkers.begin(), walkers.end(), &bvh::best_walker()) != walkers.end());
 }

@@ -7,6 +7,7 @@
 #include "chance.hpp"
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
+#include "first_contact/bvh/cast/sphere_cast.hpp"
 #include "first_contact/bvh/plain_bvh.hpp"
 #include "first_contact/program/terrain.hpp"
 #include "property/same_contact.hpp"
@@ -70,12 +71,16 @@ TEST_CASE("What the fast tree leaves out for its normals, the plain tree finds n
   const Mesh mesh = hills(chance);
   const PlainBvh plain(mesh);
   const Bvh fast(mesh);
+  const auto walkers = bvh::all_walkers();
   for (int i = 0; i < 100; ++i) {
     const Moving<Sphere> moving = deep_cast(chance, mesh);
     const auto expected = sweep(moving, plain);
     CAPTURE(seed, i, told(expected), told(sweep(moving, fast)));
     REQUIRE(same(sweep(moving, fast), expected));
-    REQUIRE(same(bvh::sweep(moving, fast, bvh::portable_walker), expected));
+    for (const bvh::Walker* walker : walkers) {
+      CAPTURE(walker->name);
+      REQUIRE(same(bvh::sweep(moving, fast.parts(), *walker), expected));
+    }
   }
 }
 

@@ -7,7 +7,9 @@
 #include <limits>
 #include <vector>
 
+#include "first_contact/bvh/bvh.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
+#include "first_contact/bvh/cast/sphere_cast.hpp"
 #include "first_contact/bvh/plain_bvh.hpp"
 #include "verify/surfaces.hpp"
 #include "verify/truth.hpp"
@@ -303,6 +305,7 @@ void verify(std::uint64_t seed, int kind, int count, Tally* tallies) {
   const Mesh mesh = surfaces::placed(surfaces::surface(kind, random), random);
   const Bvh fast(mesh);
   const PlainBvh plain(mesh);
+  static const auto walkers = bvh::all_walkers();
   std::vector<Moving<Sphere>> casts;
   for (int i = 0; i < count; ++i) casts.push_back(surfaces::cast(mesh, i % surfaces::aims, random));
   std::vector<std::optional<Contact>> together(casts.size());
@@ -310,8 +313,10 @@ void verify(std::uint64_t seed, int kind, int count, Tally* tallies) {
   for (std::size_t i = 0; i < casts.size(); ++i) {
     Tally& tally = tallies[i % surfaces::aims];
     const auto contact = sweep(casts[i], fast);
-    if (!same(contact, together[i]) || !same(contact, bvh::sweep(casts[i], fast, bvh::portable_walker)) ||
-        !same(contact, sweep(casts[i], plain)))
+    const bool all_walk_alike = std::all_of(walkers.begin(), walkers.end(), [&](const bvh::Walker* walker) {
+      return same(contact, bvh::sweep(casts[i], fast.parts(), *walker));
+    });
+    if (!all_walk_alike || !same(contact, together[i]) || !same(contact, sweep(casts[i], plain)))
       ++tally.unlike;
     const Tally before = tally;
     add(tally, mesh, casts[i], contact);

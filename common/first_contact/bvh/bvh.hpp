@@ -10,12 +10,15 @@
 
 namespace first_contact {
 
+namespace bvh {
+struct Parts;
+}
+
 /// A mesh with a tree of boxes (bounding volume hierarchy) over its triangles, made for many fast casts.
 ///
 /// The plain way to the same answers is an Environment; plain_bvh.hpp is the plain tree. How the fast one
-/// works is told in bvh/layout.hpp (memory), bvh/split.hpp, bvh/collapse.hpp and bvh/pack.hpp (building),
-/// bvh/walk.hpp, bvh/node_test.inc and bvh/leaf_bound.inc (casting, eight triangles at once), and
-/// bvh/verdict.hpp (deciding).
+/// works is told in bvh/build/ (layout.hpp: memory; split.hpp, collapse.hpp, pack.hpp), bvh/kernels/ (casting,
+/// eight boxes or triangles at once) and bvh/cast/ (one cast, many, and deciding).
 ///
 /// Measured on an idle machine (./course bench), of the time of a plain tree with the sweep of a textbook,
 /// which finds a time and no more:
@@ -49,12 +52,11 @@ class Bvh {
   /// The memory that it needs besides the mesh.
   std::size_t bytes() const;
 
-  struct Parts;
-  /// What it is made of, for those who walk it.
-  const Parts& parts() const { return *parts_; }
+  /// What it is made of: for its own sweeps, and for tests.
+  const bvh::Parts& parts() const { return *parts_; }
 
  private:
-  std::unique_ptr<const Parts> parts_;
+  std::unique_ptr<const bvh::Parts> parts_;
 };
 
 /// First contact of a moving sphere with a mesh, as sweep(moving, Environment) finds it: the same time,

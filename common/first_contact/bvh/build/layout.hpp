@@ -1,4 +1,5 @@
 #pragma once
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,7 +14,6 @@
 /// All lengths are in the tree's own unit (\see space.hpp), in which the mesh lies between -1 and 1, so that
 /// no number here depends on the scale or the place of the mesh.
 ///
-/// This header is read by files compiled for different instruction sets: plain data only, no functions.
 
 namespace first_contact::bvh {
 
@@ -22,8 +22,7 @@ inline constexpr int width = 8;
 /// How many different vertices a leaf may have: a vertex number is 4 bits.
 inline constexpr int most_vertices = 16;
 
-/// No path from the root is longer than this many nodes (\see split.cpp), so that this many may wait on a
-/// stack.
+/// No path from the root is longer than this many nodes (\see split.cpp), so that so many may wait on a stack.
 inline constexpr int deepest = 72;
 inline constexpr int most_waiting = (width - 1) * deepest + 1;
 
@@ -42,7 +41,7 @@ inline constexpr std::uint32_t leaf_unit = 32;
 /// rounded outward; step is a power of two. Its slab holds all its points x: slab[0][j] <= slab step *
 /// n.(x - origin) + offset <= slab[1][j] (\see pack.cpp).
 struct alignas(64) Node {
-  float origin[4], step[4];       ///< along the three axes; and 0
+  float origin[3], step[3];       ///< along the three axes
   std::uint32_t first_node : 28;  ///< its inner children are numbered from here on
   std::uint32_t count : 4;        ///< how many children
   std::uint32_t first_leaf;       ///< its first leaf
@@ -55,6 +54,11 @@ struct alignas(64) Node {
 };
 static_assert(sizeof(Node) == 192);
 
+/// Leaves lie in units of this size, so that few of them begin in one cache line and end in another.
+struct alignas(leaf_unit) LeafUnit {
+  unsigned char bytes[leaf_unit];
+};
+
 /// The head of a leaf; after it x of all its vertices, then y, then z, as floats relative to the leaf's
 /// origin, in the leaf's unit.
 struct LeafHead {
@@ -62,11 +66,11 @@ struct LeafHead {
   std::uint8_t triangles, vertices;
   std::int16_t
       exponent;  ///< its unit of length is 2^exponent; no coordinate of a vertex is larger than one unit
-  std::uint32_t corner[3];  ///< corner a, b, c of triangle j: vertex number (corner >> 4 j) & 15
-  float origin[3];
+  std::uint32_t corner[3];   ///< corner a, b, c of triangle j: vertex number (corner >> 4 j) & 15
+  float origin[4];           ///< along the three axes; and 0
   std::uint8_t cone[width];  ///< the cosine of each triangle's cone, in 255ths, or 0: \see cones.hpp
 };
-static_assert(sizeof(LeafHead) == 40);
+static_assert(sizeof(LeafHead) == 44);
 
 /// A triangle, as a cast needs it that has come to its leaf: its number in the mesh, and the representatives
 /// of its corners.
@@ -77,12 +81,29 @@ struct Place {
 /// The whole tree.
 struct Tree {
   const Node* nodes;
-  const unsigned char* leaves;
+  const LeafUnit* leaves;
   const Place* places;  ///< of the triangles, in the order of the leaves
   Ref root;
   float leaf_size;          ///< the mean size of a leaf
   double center[3], scale;  ///< its unit: \see space.hpp
   double offset;            ///< 1 + the largest coordinate of its centre, in its unit
 };
+
+/// A child of a node.
+inline Ref child(const Node& node, int j) {
+  const Ref number = node.child[j];
+  return number & 128 ? leaf_bit | (node.first_leaf + (number & 127)) : node.first_node + number;
+}
+/// A leaf.
+inline const LeafHead& leaf_at(const Tree& tree, Ref ref) {
+  return *reinterpret_cast<const LeafHead*>(tree.leaves + (ref & ~leaf_bit));
+}
+/// Where the coordinates of its vertices begin.
+inline const float* coordinates(const LeafHead& leaf) { return reinterpret_cast<const float*>(&leaf + 1); }
+
+/// 2^exponent, put together from its bits.
+inline double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
 
 }  // namespace first_contact::bvh

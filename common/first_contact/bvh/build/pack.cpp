@@ -19,7 +19,7 @@ constexpr std::uint32_t most_in_a_slab = 64;
 constexpr int smallest_exponent = -100;
 
 /// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends.
-constexpr std::size_t read_past_the_end = 64;
+constexpr std::size_t read_past_the_end = 64 / leaf_unit;
 
 /// The different vertices of a leaf, and which of them the corners of its triangles are.
 struct LeafVertices {
@@ -114,8 +114,8 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
 
   const std::size_t size = sizeof head + 3 * sizeof(float) * vertices.count;
   const std::size_t at = result_.leaves.size();
-  result_.leaves.resize(at + (size + leaf_unit - 1) / leaf_unit * leaf_unit);
-  unsigned char* out = &result_.leaves[at];
+  result_.leaves.resize(at + (size + leaf_unit - 1) / leaf_unit);
+  unsigned char* out = result_.leaves[at].bytes;
   std::memcpy(out, &head, sizeof head);
   out += sizeof head;
   for (Eigen::Index i = 0; i < 3; ++i)
@@ -126,7 +126,7 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
   ++leaf_count_;
   const Floats4 extent = leaf.high - leaf.low;
   sum_of_sizes_ += std::max({extent[0], extent[1], extent[2]});
-  return static_cast<std::uint32_t>(at / leaf_unit);
+  return static_cast<std::uint32_t>(at);
 }
 
 Vector Packer::area_vector(std::span<const Place> part) const {
@@ -191,7 +191,7 @@ void write_boxes(Node& node, const Branch& whole, const std::vector<Branch>& bra
 /// room.
 void Packer::write_children(Node& node, const Cover& cover) {
   node.first_node = static_cast<std::uint32_t>(result_.nodes.size()) & most_nodes;
-  node.first_leaf = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
+  node.first_leaf = static_cast<std::uint32_t>(result_.leaves.size());
   std::uint8_t inner = 0;
   for (std::size_t j = 0; j < node.count; ++j) {
     const Branch& child = branch(cover.branch[j]);
@@ -260,7 +260,7 @@ void Packer::in_turns(const Cover& cover, const Work& work) const {
 /// Puts another packer's nodes and leaves behind this one's. \returns its topmost node, moved
 Node Packer::append(const Packer& part, const Node& top) {
   const auto nodes = static_cast<std::uint32_t>(result_.nodes.size());
-  const auto leaves = static_cast<std::uint32_t>(result_.leaves.size() / leaf_unit);
+  const auto leaves = static_cast<std::uint32_t>(result_.leaves.size());
   const auto move = [&](Node& node) {
     node.first_node = (node.first_node + nodes) & most_nodes;
     node.first_leaf += leaves;

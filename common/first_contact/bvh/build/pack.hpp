@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "first_contact/bvh/build/block.hpp"
 #include "first_contact/bvh/build/layout.hpp"
 #include "first_contact/bvh/build/split.hpp"
 #include "first_contact/bvh/cast/surface.hpp"
@@ -11,8 +10,8 @@ namespace first_contact::bvh {
 
 /// The wide tree and the memory that it lies in.
 struct PackedTree {
-  Block<Node> nodes;
-  Block<unsigned char> leaves;
+  std::vector<Node> nodes;
+  std::vector<LeafUnit> leaves;
   Ref root = leaf_bit;
   float leaf_size = 0;  ///< the mean of the longest side of the leaves' boxes
 };

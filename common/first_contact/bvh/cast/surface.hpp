@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "first_contact/bvh/build/block.hpp"
 #include "first_contact/bvh/build/layout.hpp"
 #include "first_contact/bvh/build/merged.hpp"
 #include "first_contact/geometry/mesh.hpp"
@@ -53,9 +52,9 @@ class Surface {
   void number_vertices(const Mesh& mesh, const Merged& merged, const std::vector<std::uint32_t>& order);
   void gather_triangles();
 
-  Block<Place> places_;
-  Block<Vertex> vertices_;  // and one more, to end the last one's triangles
-  Block<std::uint32_t> around_;
+  std::vector<Place> places_;
+  std::vector<Vertex> vertices_;  // and one more, to end the last one's triangles
+  std::vector<std::uint32_t> around_;
 };
 
 }  // namespace first_contact::bvh

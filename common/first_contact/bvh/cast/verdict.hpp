@@ -31,13 +31,6 @@ class Verdict {
   void forget();
   /// The time of the first contact so far; 2 if there is none.
   double latest() const { return first_ ? first_->time : 2; }
-  /// How deep the sphere is, at the start, in the face that is then the first contact so far; or else 0. Of
-  /// contacts at the start faces win, and of faces the nearest: what is farther away than this one, by more
-  /// than rounding, does not matter any more. \see limits.inc
-  double depth() const {
-    const bool in_face = first_ && first_->time == 0 && first_->feature == Feature::face;
-    return in_face ? moving_.shape.radius - first_->distance : 0;
-  }
   std::optional<Contact> contact() const;
 
  private:

@@ -1,221 +1,257 @@
-#pragma once
-#include <cstdint>
-#if defined(__AVX2__)
-#include <immintrin.h>
-#elif defined(__SSE2__)
-#include <emmintrin.h>
+// Read once for each kind of processor.
+#if defined(FIRST_CONTACT_BVH_KERNELS_LANES) == defined(HWY_TARGET_TOGGLE)
+#ifdef FIRST_CONTACT_BVH_KERNELS_LANES
+#undef FIRST_CONTACT_BVH_KERNELS_LANES
+#else
+#define FIRST_CONTACT_BVH_KERNELS_LANES
 #endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
 
 /// \file
-/// Eight floats that are added, compared and chosen from as one.
+/// Eight floats, or four doubles, that are added, compared and chosen from as one.
 ///
-/// The idea: GCC's and clang's vector types know + - * / < and ?: on any machine; only what they have no sign
-/// for is written here, once with AVX2's own instructions and once in plain loops. Whichever is compiled, the
-/// results may differ in the last bits (fused or not, estimated or not); the bounds that are made of them
-/// allow for that.
-///
-/// Everything here has internal linkage and uses nothing of the standard library: a function compiled with
-/// AVX2 must never be taken by the linker for one that runs everywhere.
+/// The idea: Google Highway knows the vectors of each processor, which hold four floats, eight or more; here
+/// eight are always taken together, in as many vectors as that needs. What is rounded may differ in the last
+/// bits from one processor to another (fused or not, estimated or not); the bounds that are made of it allow
+/// for that.
 
-namespace first_contact::bvh {
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace first_contact::bvh::HWY_NAMESPACE {
 
-using Floats4 __attribute__((vector_size(16))) = float;
-using Floats __attribute__((vector_size(32))) = float;
-using Ints4 __attribute__((vector_size(16))) = std::int32_t;
-using Ints __attribute__((vector_size(32))) = std::int32_t;
-using Doubles __attribute__((vector_size(32))) = double;
-using Longs __attribute__((vector_size(32))) = std::int64_t;
+namespace hn = hwy::HWY_NAMESPACE;
 
-[[maybe_unused]] inline Floats all(float x) { return Floats{x, x, x, x, x, x, x, x}; }
-[[maybe_unused]] inline Floats4 all_axes(float x) { return Floats4{x, x, x, x}; }
-[[maybe_unused]] inline Floats4 to_floats(Doubles a) { return __builtin_convertvector(a, Floats4); }
-[[maybe_unused]] inline Doubles to_doubles(Floats4 a) { return __builtin_convertvector(a, Doubles); }
-[[maybe_unused]] inline double largest3(Doubles a) {
-  const double b = a[0] > a[1] ? a[0] : a[1];
-  return b > a[2] ? b : a[2];
+/// So many numbers of one kind. An operator does the same to each.
+template <class Number, std::size_t count>
+struct Lanes {
+  using Tag = hn::CappedTag<Number, count>;
+  static constexpr std::size_t parts = count / hn::MaxLanes(Tag()), per_part = count / parts;
+  hn::Vec<Tag> part[parts];
+};
+/// What a comparison says of each lane.
+template <class Number, std::size_t count>
+struct Mask {
+  static constexpr std::size_t parts = Lanes<Number, count>::parts;
+  hn::Mask<typename Lanes<Number, count>::Tag> part[parts];
+};
+
+using Floats = Lanes<float, 8>;
+using Ints = Lanes<std::int32_t, 8>;
+using Doubles = Lanes<double, 4>;
+using FloatMask = Mask<float, 8>;
+using DoubleMask = Mask<double, 4>;
+
+/// The same number in all lanes.
+template <class Many, class Number>
+HWY_INLINE Many all_lanes(Number x) {
+  Many a;
+  for (auto& part : a.part) part = hn::Set(typename Many::Tag(), x);
+  return a;
 }
-[[maybe_unused]] inline Doubles all4(double x) { return Doubles{x, x, x, x}; }
-[[maybe_unused]] inline Doubles magnitude(Doubles a) { return (Doubles)((Longs)a & 0x7fffffffffffffff); }
-/// Each lane from the one two before it, round about: the last of three to the first place.
-[[maybe_unused]] inline Doubles turn(Doubles a) { return Doubles{a[2], a[0], a[1], a[2]}; }
-[[maybe_unused]] inline Floats4 magnitude(Floats4 a) { return (Floats4)((Ints4)a & 0x7fffffff); }
-[[maybe_unused]] inline Floats magnitude(Floats a) { return (Floats)((Ints)a & 0x7fffffff); }
-/// a, with its sign turned where b is negative.
-[[maybe_unused]] inline Floats turned_like(Floats a, Floats b) {
-  return (Floats)((Ints)a ^ ((Ints)b & static_cast<std::int32_t>(0x80000000u)));
-}
+HWY_INLINE Floats all(float x) { return all_lanes<Floats>(x); }
+HWY_INLINE Ints all_ints(std::int32_t x) { return all_lanes<Ints>(x); }
+HWY_INLINE Doubles all4(double x) { return all_lanes<Doubles>(x); }
 
 /// Reads from any address.
-template <class Value>
-inline Value read(const void* from) {
-  Value value;
-  __builtin_memcpy(&value, from, sizeof value);
-  return value;
+template <class Many, class Number>
+HWY_INLINE Many read(const Number* from) {
+  Many a;
+  for (std::size_t i = 0; i < Many::parts; ++i)
+    a.part[i] = hn::LoadU(typename Many::Tag(), from + i * Many::per_part);
+  return a;
+}
+/// Writes to any address.
+template <class Number, std::size_t n>
+HWY_INLINE void write(Number* to, const Lanes<Number, n>& a) {
+  using Many = Lanes<Number, n>;
+  for (std::size_t i = 0; i < Many::parts; ++i)
+    hn::StoreU(a.part[i], typename Many::Tag(), to + i * Many::per_part);
 }
 
-[[maybe_unused]] inline void write(float* to, Floats4 a) { __builtin_memcpy(to, &a, sizeof a); }
-[[maybe_unused]] inline void write(std::uint32_t* to, Ints a) { __builtin_memcpy(to, &a, sizeof a); }
-[[maybe_unused]] inline void write(int* to, Ints4 a) { __builtin_memcpy(to, &a, sizeof a); }
-[[maybe_unused]] inline void write(double* to, Doubles a) { __builtin_memcpy(to, &a, sizeof a); }
-
-[[maybe_unused]] inline Ints all_ints(std::uint32_t x) { return Ints{} + static_cast<std::int32_t>(x); }
-/// The lanes with a bit: all ones there, 0 elsewhere.
-[[maybe_unused]] inline Ints lanes_of(unsigned bits) {
-  return (all_ints(bits) & Ints{1, 2, 4, 8, 16, 32, 64, 128}) != 0;
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> operator+(Lanes<N, n> a, const Lanes<N, n>& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Add(a.part[i], b.part[i]);
+  return a;
+}
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> operator-(Lanes<N, n> a, const Lanes<N, n>& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Sub(a.part[i], b.part[i]);
+  return a;
+}
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> operator-(Lanes<N, n> a) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Neg(a.part[i]);
+  return a;
+}
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> operator*(Lanes<N, n> a, const Lanes<N, n>& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Mul(a.part[i], b.part[i]);
+  return a;
+}
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> operator/(Lanes<N, n> a, const Lanes<N, n>& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Div(a.part[i], b.part[i]);
+  return a;
+}
+/// a b + c, and c - a b; rounded once where the processor can.
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> fused(const Lanes<N, n>& a, const Lanes<N, n>& b, Lanes<N, n> c) {
+  for (std::size_t i = 0; i < c.parts; ++i) c.part[i] = hn::MulAdd(a.part[i], b.part[i], c.part[i]);
+  return c;
+}
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> minus_product(Lanes<N, n> c, const Lanes<N, n>& a, const Lanes<N, n>& b) {
+  for (std::size_t i = 0; i < c.parts; ++i) c.part[i] = hn::NegMulAdd(a.part[i], b.part[i], c.part[i]);
+  return c;
 }
 
-//! [sorted]
-/// One layer of a network that sorts: each lane becomes the larger or the smaller of itself and its partner.
-template <int... partner>
-inline Ints layer(Ints a, Ints larger) {
-  const Ints b = __builtin_shufflevector(a, a, partner...);
-  return larger ? (a > b ? a : b) : (a > b ? b : a);
+template <class N, std::size_t n>
+HWY_INLINE Mask<N, n> operator<(const Lanes<N, n>& a, const Lanes<N, n>& b) {
+  Mask<N, n> m;
+  for (std::size_t i = 0; i < m.parts; ++i) m.part[i] = hn::Lt(a.part[i], b.part[i]);
+  return m;
 }
-/// The largest first: six layers (Batcher: Sorting Networks and Their Applications, 1968), and no jump that a
-/// processor could guess wrong.
-[[maybe_unused]] inline Ints sorted(Ints a) {
-  a = layer<1, 0, 3, 2, 5, 4, 7, 6>(a, Ints{-1, 0, 0, -1, -1, 0, 0, -1});
-  a = layer<2, 3, 0, 1, 6, 7, 4, 5>(a, Ints{-1, -1, 0, 0, 0, 0, -1, -1});
-  a = layer<1, 0, 3, 2, 5, 4, 7, 6>(a, Ints{-1, 0, -1, 0, 0, -1, 0, -1});
-  a = layer<4, 5, 6, 7, 0, 1, 2, 3>(a, Ints{-1, -1, -1, -1, 0, 0, 0, 0});
-  a = layer<2, 3, 0, 1, 6, 7, 4, 5>(a, Ints{-1, -1, 0, 0, -1, -1, 0, 0});
-  return layer<1, 0, 3, 2, 5, 4, 7, 6>(a, Ints{-1, 0, -1, 0, -1, 0, -1, 0});
+template <class N, std::size_t n>
+HWY_INLINE Mask<N, n> operator>(const Lanes<N, n>& a, const Lanes<N, n>& b) {
+  return b < a;
 }
-/// The numbers of the lanes in `open`, that with the largest a first; after them the others. Of numbers that
-/// differ in their last three bits only, any may come first.
-[[maybe_unused]] inline Ints descending(Floats a, Ints open) {
-  const Ints pattern = (Ints)a;
-  const Ints key = pattern ^ (pattern >> 31 & 0x7fffffff);  // whole numbers in the same order
-  return sorted(((open ? key : all_ints(0x80000000u)) & ~7) | Ints{0, 1, 2, 3, 4, 5, 6, 7}) & 7;
+template <class N, std::size_t n>
+HWY_INLINE Mask<N, n> operator<=(const Lanes<N, n>& a, const Lanes<N, n>& b) {
+  Mask<N, n> m;
+  for (std::size_t i = 0; i < m.parts; ++i) m.part[i] = hn::Le(a.part[i], b.part[i]);
+  return m;
 }
-//! [sorted]
+template <class N, std::size_t n>
+HWY_INLINE Mask<N, n> operator&(Mask<N, n> a, const Mask<N, n>& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::And(a.part[i], b.part[i]);
+  return a;
+}
+template <class N, std::size_t n>
+HWY_INLINE Mask<N, n> operator|(Mask<N, n> a, const Mask<N, n>& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Or(a.part[i], b.part[i]);
+  return a;
+}
 
-#if defined(__AVX2__)
-
-/// Each lane from the one that `from` names.
-inline Ints permute(Ints a, Ints from) {
-  return (Ints)_mm256_permutevar8x32_epi32((__m256i)a, (__m256i)from);
-}
-inline Ints bytes(const std::uint8_t* p) {
-  return (Ints)_mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i*)p));
-}
-/// Not more than the root, nor less than .999 of it, unless that is less than 2^-50.
-inline Floats about_root(Floats a) {
-  return a * (Floats)_mm256_rsqrt_ps((__m256)(a + all(0x1p-100f))) * all(1 - 0x1p-11f);
-}
-/// Writes to any address, in one go: of what is then read singly no lane has to wait for another.
-inline void write(float* to, Floats a) { _mm256_storeu_ps(to, (__m256)a); }
-/// a < b ? a : b, and a > b ? a : b: if one is not a number, b.
-inline Floats least(Floats a, Floats b) { return (Floats)_mm256_min_ps((__m256)a, (__m256)b); }
-inline Floats most(Floats a, Floats b) { return (Floats)_mm256_max_ps((__m256)a, (__m256)b); }
-inline Doubles least(Doubles a, Doubles b) { return (Doubles)_mm256_min_pd((__m256d)a, (__m256d)b); }
-inline Doubles most(Doubles a, Doubles b) { return (Doubles)_mm256_max_pd((__m256d)a, (__m256d)b); }
 /// One bit a lane: is it true?
-inline unsigned bits(Ints mask) { return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask)); }
-inline unsigned bits4(Longs mask) { return static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask)); }
-inline Floats root(Floats a) { return (Floats)_mm256_sqrt_ps((__m256)a); }
-inline Doubles root(Doubles a) { return (Doubles)_mm256_sqrt_pd((__m256d)a); }
-/// 1 / a to 11 bits.
-inline Floats about_one_over(Floats a) { return (Floats)_mm256_rcp_ps((__m256)a); }
-inline Floats from_bytes(const std::uint8_t* p) { return (Floats)_mm256_cvtepi32_ps((__m256i)bytes(p)); }
-inline Floats from_signed_bytes(const std::int8_t* p) {
-  return (Floats)_mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i*)p)));
-}
-inline Floats from_shorts(const std::uint16_t* p) {
-  return (Floats)_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i*)p)));
-}
-/// Eight 4-bit numbers, one a lane (the bits above them are left as they are).
-inline Ints numbers(std::uint32_t packed) {
-  const __m256i shift = _mm256_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28);
-  return (Ints)_mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(packed)), shift);
-}
-/// Sixteen floats to pick from by numbers.
-struct Table {
-  Floats low, high;
-  bool short_one;
-};
-inline Table table(const unsigned char* p, int count, float origin) {
-  const Floats o = all(origin);
-  return {read<Floats>(p) - o, count > 8 ? read<Floats>(p + 32) - o : o, count <= 8};
-}
-inline Floats pick(const Table& t, Ints n) {
-  const __m256 low = _mm256_permutevar8x32_ps((__m256)t.low, (__m256i)n);
-  if (t.short_one) return (Floats)low;
-  const __m256 high = _mm256_permutevar8x32_ps((__m256)t.high, (__m256i)n);
-  return (Floats)_mm256_blendv_ps(low, high, (__m256)(n << 28));
-}
-
-#else
-
-inline Ints permute(Ints a, Ints from) {
-  Ints result;
-  for (int i = 0; i < 8; ++i) result[i] = a[from[i]];
-  return result;
-}
-inline Ints bytes(const std::uint8_t* p) {
-  Ints result;
-  for (int i = 0; i < 8; ++i) result[i] = p[i];
-  return result;
-}
-inline void write(float* to, Floats a) { __builtin_memcpy(to, &a, sizeof a); }
-inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
-inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
-inline Doubles least(Doubles a, Doubles b) { return a < b ? a : b; }
-inline Doubles most(Doubles a, Doubles b) { return a > b ? a : b; }
-inline unsigned bits(Ints mask) {
-#if defined(__SSE2__)
-  const auto half = [&](int i) {
-    return static_cast<unsigned>(_mm_movemask_ps(read<__m128>((const char*)&mask + i)));
-  };
-  return half(0) | half(16) << 4;
-#else
+template <class N, std::size_t n>
+HWY_INLINE unsigned bits(const Mask<N, n>& m) {
+  using Many = Lanes<N, n>;
   unsigned result = 0;
-  for (int i = 0; i < 8; ++i) result |= (static_cast<unsigned>(mask[i]) >> 31) << i;
+  for (std::size_t i = 0; i < m.parts; ++i) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(typename Many::Tag(), m.part[i], bytes);
+    result |= unsigned{bytes[0]} << (i * Many::per_part);
+  }
   return result;
+}
+
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> choose(const Mask<N, n>& m, const Lanes<N, n>& yes, Lanes<N, n> no) {
+  for (std::size_t i = 0; i < m.parts; ++i) no.part[i] = hn::IfThenElse(m.part[i], yes.part[i], no.part[i]);
+  return no;
+}
+/// yes, or 0.
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> or_zero(const Mask<N, n>& m, Lanes<N, n> yes) {
+  for (std::size_t i = 0; i < m.parts; ++i) yes.part[i] = hn::IfThenElseZero(m.part[i], yes.part[i]);
+  return yes;
+}
+/// a < b ? a : b, and a > b ? a : b: if one is not a number, b. This is what Min and Max are on x86.
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> least(Lanes<N, n> a, const Lanes<N, n>& b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Min(a.part[i], b.part[i]);
+  return a;
+#else
+  return choose(a < b, a, b);
 #endif
 }
-inline unsigned bits4(Longs mask) {
-  unsigned result = 0;
-  for (int i = 0; i < 4; ++i) result |= mask[i] < 0 ? 1u << i : 0u;
-  return result;
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> most(Lanes<N, n> a, const Lanes<N, n>& b) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Max(a.part[i], b.part[i]);
+  return a;
+#else
+  return choose(a > b, a, b);
+#endif
 }
-inline Floats root(Floats a) {
-  for (int i = 0; i < 8; ++i) a[i] = __builtin_sqrtf(a[i]);
+
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> magnitude(Lanes<N, n> a) {
+  for (auto& part : a.part) part = hn::Abs(part);
   return a;
 }
-inline Doubles root(Doubles a) {
-  for (int i = 0; i < 4; ++i) a[i] = __builtin_sqrt(a[i]);
+template <class N, std::size_t n>
+HWY_INLINE Lanes<N, n> root(Lanes<N, n> a) {
+  for (auto& part : a.part) part = hn::Sqrt(part);
   return a;
 }
-inline Floats about_one_over(Floats a) { return 1.0f / a; }
-inline Floats about_root(Floats a) { return root(a); }
-template <class Number>
-inline Floats from_numbers(const Number* p) {
-  Floats result;
-  for (int i = 0; i < 8; ++i) result[i] = static_cast<float>(p[i]);
-  return result;
+/// a, with its sign turned where b is negative.
+HWY_INLINE Floats turned_like(Floats a, const Floats& b) {
+  const auto sign = hn::SignBit(Floats::Tag());
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Xor(a.part[i], hn::And(sign, b.part[i]));
+  return a;
 }
-inline Floats from_bytes(const std::uint8_t* p) { return from_numbers(p); }
-inline Floats from_signed_bytes(const std::int8_t* p) { return from_numbers(p); }
-inline Floats from_shorts(const std::uint16_t* p) { return from_numbers(p); }
-inline Ints numbers(std::uint32_t packed) {
-  Ints result;
-  for (int i = 0; i < 8; ++i) result[i] = static_cast<std::int32_t>(packed >> 4 * i & 15);
-  return result;
+/// About 1 / a: to a hundredth or better.
+HWY_INLINE Floats about_one_over(Floats a) {
+  for (auto& part : a.part) part = hn::ApproximateReciprocal(part);
+  return a;
 }
-struct Table {
-  const unsigned char* first;
-  float origin;
-};
-inline Table table(const unsigned char* p, int, float origin) { return {p, origin}; }
-inline Floats pick(const Table& t, Ints n) {
-  Floats result;
-  for (int i = 0; i < 8; ++i) result[i] = read<float>(t.first + 4 * n[i]);
-  return result - t.origin;
+/// Not more than the root, nor less than .999 of it, unless that is less than 2^-50. Estimates of x86 are
+/// right to 2^-11.4; others are not good enough.
+HWY_INLINE Floats about_root(const Floats& a) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128
+  Floats estimate = a + all(0x1p-100f);
+  for (auto& part : estimate.part) part = hn::ApproximateReciprocalSqrt(part);
+  return a * estimate * all(1 - 0x1p-11f);
+#else
+  return root(a);
+#endif
 }
+
+/// Eight small whole numbers as floats.
+template <class Small>
+HWY_INLINE Floats from_whole(const Small* p) {
+  Floats a;
+  for (std::size_t i = 0; i < a.parts; ++i) {
+    const auto small = hn::LoadU(hn::Rebind<Small, Floats::Tag>(), p + i * Floats::per_part);
+    a.part[i] = hn::ConvertTo(Floats::Tag(), hn::PromoteTo(Ints::Tag(), small));
+  }
+  return a;
+}
+/// Floats as doubles, and the other way round.
+HWY_INLINE Doubles from_floats(const float* from) {
+  Doubles a;
+  for (std::size_t i = 0; i < a.parts; ++i) {
+    const auto floats = hn::LoadU(hn::Rebind<float, Doubles::Tag>(), from + i * Doubles::per_part);
+    a.part[i] = hn::PromoteTo(Doubles::Tag(), floats);
+  }
+  return a;
+}
+HWY_INLINE void write(float* to, const Doubles& a) {
+  constexpr hn::Rebind<float, Doubles::Tag> floats;
+  for (std::size_t i = 0; i < a.parts; ++i)
+    hn::StoreU(hn::DemoteTo(floats, a.part[i]), floats, to + i * Doubles::per_part);
+}
+/// The bits of floats as whole numbers: of floats that are not negative, in the same order.
+HWY_INLINE Ints patterns(const Floats& a) {
+  Ints b;
+  for (std::size_t i = 0; i < a.parts; ++i) b.part[i] = hn::BitCast(Ints::Tag(), a.part[i]);
+  return b;
+}
+HWY_INLINE Ints operator&(Ints a, const Ints& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::And(a.part[i], b.part[i]);
+  return a;
+}
+HWY_INLINE Ints operator|(Ints a, const Ints& b) {
+  for (std::size_t i = 0; i < a.parts; ++i) a.part[i] = hn::Or(a.part[i], b.part[i]);
+  return a;
+}
+
+}  // namespace first_contact::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
 #endif
-
-}  // namespace
-}  // namespace first_contact::bvh

@@ -1,4 +1,4 @@
-#include "first_contact/bvh/cast/cast.hpp"
+#include "first_contact/bvh/cast/sphere_cast.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -30,28 +30,25 @@ unsigned by(double time, const Found& found) {
 
 }  // namespace
 
-Cast::Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker)
-    : parts_(surface), walker_(walker), tree_(surface.tree), verdict_(*surface.surface, moving) {
+SphereCast::SphereCast(const Moving<Sphere>& moving, const Parts& parts, const Walker& walker)
+    : parts_(parts), walker_(walker), tree_(parts.tree), verdict_(*parts.surface, moving) {
   const Vector& v = moving.displacement;
   question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
-  near_ = surface.mesh.size() > 0 && !v.isZero(0) && walker_.begin(tree_, question_, walk_);
+  near_ = parts.mesh.size() > 0 && !v.isZero(0) && find_path(tree_, question_, walk_.path);
+  start(tree_, walk_.progress);
 }
 
-void Cast::note_latest() {
+void SphereCast::note_latest() {
   const double latest = std::min(verdict_.latest(), hoped_);
   if (latest > 1) return;
-  if (verdict_.depth() > 0) {
-    const double depth = parts_.space.length(verdict_.depth());
-    walk_.latest = static_cast<float>(walk_.radius * 0x1p-22 - depth);
-    return;
-  }
-  const double tau = (latest - walk_.from_time + 4 * eps) / walk_.duration;
-  if (tau < walk_.latest) walk_.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
+  const double tau = (latest - walk_.path.from_time + 4 * eps) / walk_.path.duration;
+  if (tau < walk_.progress.latest)
+    walk_.progress.latest = static_cast<float>(tau + (std::abs(tau) + 1) * 0x1p-22);
 }
 
 //! [consider]
 /// What may be touched at the start is decided at once: of it one may yet get free.
-void Cast::consider(const Place& place, bool overlapping) {
+void SphereCast::consider(const Place& place, bool overlapping) {
   const Surface& surface = *parts_.surface;
   const auto& [a, b, c] = place.corner;
   const double latest = std::min({verdict_.latest(), hoped_, 1.0});
@@ -69,27 +66,33 @@ void Cast::consider(const Place& place, bool overlapping) {
 }
 
 /// Decides about a triangle that survives. If the walk is certain about its face, no feature has to be asked.
-void Cast::decide_about(const Place& place, int lane) {
-  const bool overlapping = walk_.bound[lane] <= 0;
-  if (walk_.untouched >> lane & 1) {
+void SphereCast::decide_about(const Place& place, int lane) {
+  const Progress& at = walk_.progress;
+  const bool overlapping = at.early[lane] <= 0;
+  if (at.untouched >> lane & 1) {
     verdict_.consider(place, 0);
-  } else if (!(walk_.touched >> lane & 1)) {
+  } else if (!(at.touched >> lane & 1)) {
     consider(place, overlapping);
   } else if (overlapping || !hopeful_) {
     verdict_.consider(place, 1, true);
     note_latest();
   } else {
-    if (postponed_count_ == postponed_.size()) consider_postponed();
-    Postponed& postponed = postponed_[postponed_count_++];
-    postponed.place = &place;
-    postponed.early = postponed.found.early[0] = walk_.from_time + walk_.bound[lane] * walk_.duration;
-    postponed.found.features = 1;
-    postponed.found.within = true;
-    hoped_ = std::min(hoped_, walk_.from_time + walk_.late[lane] * walk_.duration);
+    postpone_face(place, time_of(at.early[lane]), time_of(at.late[lane]));
   }
 }
 
-void Cast::consider_postponed() {
+/// A face that is touched for certain, between these times.
+void SphereCast::postpone_face(const Place& place, double early, double late) {
+  if (postponed_count_ == postponed_.size()) consider_postponed();
+  Postponed& postponed = postponed_[postponed_count_++];
+  postponed.place = &place;
+  postponed.early = postponed.found.early[0] = early;
+  postponed.found.features = 1;
+  postponed.found.within = true;
+  hoped_ = std::min(hoped_, late);
+}
+
+void SphereCast::consider_postponed() {
   const auto end = postponed_.begin() + static_cast<std::ptrdiff_t>(postponed_count_);
   if (postponed_count_ > 1)
     std::sort(postponed_.begin(), end,
@@ -101,57 +104,58 @@ void Cast::consider_postponed() {
 }
 
 /// If nothing was touched by the time that was hoped for, begins once more, without hope.
-bool Cast::finish() {
+bool SphereCast::finish() {
   if (postponed_count_ > 0) consider_postponed();
   if (!near_ || !hopeful_ || hoped_ > 1 || verdict_.latest() <= hoped_) return true;
   hopeful_ = false;
   hoped_ = 2;
   verdict_.forget();
-  walker_.begin(tree_, question_, walk_);
+  start(tree_, walk_.progress);
   return false;
 }
 //! [consider]
 
-Stage Cast::fetch_corners() const {
-  const Place* places = tree_.places + walk_.leaf->first;
-  for (unsigned left = walk_.survivors; left != 0; left &= left - 1)
+Pause SphereCast::fetch_corners() const {
+  const Place* places = tree_.places + walk_.progress.leaf->first;
+  for (unsigned left = walk_.progress.survivors; left != 0; left &= left - 1)
     for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
       __builtin_prefetch(&parts_.surface->position(vertex));
-  return Stage::corners;
+  return Pause::corners;
 }
 
 //! [decide]
 /// The nearest first: often it makes the others too late.
-void Cast::decide_leaf() {
-  const Place* places = tree_.places + walk_.leaf->first;
-  for (unsigned left = walk_.survivors; left != 0;) {
+void SphereCast::decide_leaf() {
+  const Progress& at = walk_.progress;
+  const Place* places = tree_.places + at.leaf->first;
+  for (unsigned left = at.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
-      if (walk_.bound[std::countr_zero(others)] < walk_.bound[nearest]) nearest = std::countr_zero(others);
-    if (walk_.bound[nearest] > walk_.latest) return;
+      if (at.early[std::countr_zero(others)] < at.early[nearest]) nearest = std::countr_zero(others);
+    if (at.early[nearest] > at.latest) return;
     decide_about(places[nearest], nearest);
     left &= ~(1U << nearest);
   }
 }
 //! [decide]
 
-Stage Cast::decide() {
+Pause SphereCast::decide() {
   decide_leaf();
   return walker_.resume(walk_);
 }
 
-void Cast::run() {
+void SphereCast::run() {
   if (!near_) return;
   do
-    while (walker_.next(tree_, walk_) == Stage::survivors) {
-      if ((walk_.survivors & (walk_.survivors - 1)) != 0) fetch_corners();
+    while (walker_.advance(tree_, walk_) == Pause::survivors) {
+      if ((walk_.progress.survivors & (walk_.progress.survivors - 1)) != 0) fetch_corners();
       decide_leaf();
     }
   while (!finish());
 }
 
-std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh, const Walker& walker) {
-  Cast cast(moving, bvh.parts(), walker);
+std::optional<Contact> sweep(const Moving<Sphere>& moving, const Parts& parts, const Walker& walker) {
+  SphereCast cast(moving, parts, walker);
   cast.run();
   return cast.contact();
 }

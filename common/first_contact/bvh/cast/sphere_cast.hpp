@@ -17,21 +17,21 @@ namespace first_contact::bvh {
 /// So hope never changes the answer. It equals deciding at once.
 /// Measured (./course bench --own --sides 707, with hope and without): .23 and .37 of the textbook for a long
 /// cast, .25 and .36 for an aimed one.
-class Cast {
+class SphereCast {
  public:
-  Cast(const Moving<Sphere>& moving, const Bvh::Parts& surface, const Walker& walker);
+  SphereCast(const Moving<Sphere>& moving, const Parts& parts, const Walker& walker);
 
   /// Goes on to the end.
   void run();
   std::optional<Contact> contact() const { return verdict_.contact(); }
 
   ///@{
-  /// In turns: one small step, from the stage after which it is named. \returns the next
-  Stage begin() { return near_ ? walker_.resume(walk_) : Stage::end; }
-  Stage visit_node() { return walker_.visit_node(tree_, walk_); }
-  Stage visit_leaf() { return walker_.visit_leaf(tree_, walk_); }
-  Stage fetch_corners() const;
-  Stage decide();
+  /// In turns: one small step, from the pause after which it is named. \returns the next
+  Pause begin() { return near_ ? walker_.resume(walk_) : Pause::end; }
+  Pause visit_node() { return walker_.visit_node(tree_, walk_); }
+  Pause visit_leaf() { return walker_.visit_leaf(tree_, walk_); }
+  Pause fetch_corners() const;
+  Pause decide();
   ///@}
   /// Decides about what was postponed. \returns false if the walk has to begin once more
   bool finish();
@@ -40,10 +40,13 @@ class Cast {
   void decide_leaf();
   void decide_about(const Place& place, int lane);
   void consider(const Place& place, bool overlapping);
+  void postpone_face(const Place& place, double early, double late);
+  /// A time of the walk as one of the cast.
+  double time_of(float tau) const { return walk_.path.from_time + tau * walk_.path.duration; }
   void note_latest();
   void consider_postponed();
 
-  const Bvh::Parts& parts_;
+  const Parts& parts_;
   const Walker& walker_;
   const Tree& tree_;
   Verdict verdict_;
@@ -62,5 +65,8 @@ class Cast {
   double hoped_ = 2;  // by then something is touched, as far as can be seen
   Walk walk_;
 };
+
+/// The sweep with a given walker: tests compare them.
+std::optional<Contact> sweep(const Moving<Sphere>& moving, const Parts& parts, const Walker& walker);
 
 }  // namespace first_contact::bvh
