@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "first_contact/bvh/build/space.hpp"
-#include "first_contact/bvh/cast/surface.hpp"
+#include "first_contact/bvh/build/surface.hpp"
 
 namespace first_contact::bvh {
 

@@ -4,7 +4,7 @@
 
 #include "first_contact/bvh/build/layout.hpp"
 #include "first_contact/bvh/build/split.hpp"
-#include "first_contact/bvh/cast/surface.hpp"
+#include "first_contact/bvh/build/surface.hpp"
 
 namespace first_contact::bvh {
 

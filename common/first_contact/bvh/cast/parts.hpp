@@ -4,7 +4,7 @@
 #include "first_contact/bvh/build/merged.hpp"
 #include "first_contact/bvh/build/pack.hpp"
 #include "first_contact/bvh/build/space.hpp"
-#include "first_contact/bvh/cast/surface.hpp"
+#include "first_contact/bvh/build/surface.hpp"
 #include "first_contact/bvh/kernels/walker.hpp"
 
 namespace first_contact::bvh {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "first_contact/bvh/cast/surface.hpp"
+#include "first_contact/bvh/build/surface.hpp"
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
 #include "first_contact/sweep/moved_out.hpp"

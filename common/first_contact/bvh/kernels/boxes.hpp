@@ -6,7 +6,7 @@
 #define FIRST_CONTACT_BVH_KERNELS_BOXES
 #endif
 
-#include "first_contact/bvh/cast/progress.hpp"
+#include "first_contact/bvh/kernels/progress.hpp"
 #include "first_contact/bvh/kernels/lanes.hpp"
 
 /// \file

@@ -6,7 +6,7 @@
 #define FIRST_CONTACT_BVH_KERNELS_SUPPORT_BOUND
 #endif
 
-#include "first_contact/bvh/cast/path.hpp"
+#include "first_contact/bvh/kernels/path.hpp"
 #include "first_contact/bvh/kernels/vertices.hpp"
 
 /// \file

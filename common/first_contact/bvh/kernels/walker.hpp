@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "first_contact/bvh/cast/progress.hpp"
+#include "first_contact/bvh/kernels/progress.hpp"
 
 /// \file
 /// The functions that are compiled for each kind of processor, and chosen from when the program runs.

@@ -1,4 +1,4 @@
-#include "first_contact/bvh/cast/path.hpp"
+#include "first_contact/bvh/kernels/path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 #include "first_contact/bvh/build/layout.hpp"
-#include "first_contact/bvh/cast/path.hpp"
+#include "first_contact/bvh/kernels/path.hpp"
 
 /// \file
 /// How far one cast has got on its way through the tree, from leaf to leaf, nearest first.

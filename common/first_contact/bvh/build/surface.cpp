@@ -1,4 +1,4 @@
-#include "first_contact/bvh/cast/surface.hpp"
+#include "first_contact/bvh/build/surface.hpp"
 
 #include <limits>
 
