@@ -113,12 +113,14 @@ void tell(program::Program& program) {
   report.row("usual spur", std::string(usual_one ? "touches" : "free"),
              {"the coronoid process passes below the cheek bone", "冠狀突自顴骨下方通過"});
   if (!long_one) return;
-  report.row("long spur", program::readable(long_one->time * opening * degrees) + " degrees",
-             {"it is stopped by the cheek bone at this opening", "張口至此角度時碰到顴骨"});
-  program.value("jaw_contact_degrees", long_one->time * opening * degrees);
+  const double turned = long_one->time * opening * degrees;
+  program
+      .row("long spur", program::Shown{turned, program::readable(turned) + " degrees"},
+           {"it is stopped by the cheek bone at this opening", "張口至此角度時碰到顴骨"})
+      .value("jaw_contact_degrees");
   program.value("jaw_opening_degrees", opening * degrees);
-  program.value("jaw_triangles", static_cast<double>(jaw_bone(grown).size()));
-  program.value("cheek_triangles", static_cast<double>(cheek.size()));
+  program.value("jaw_triangles", jaw_bone(grown).size());
+  program.value("cheek_triangles", cheek.size());
 }
 //! [jaw_report]
 

@@ -220,8 +220,10 @@ void tell_tweens(Program& program) {
   const auto left = [](int frames) { return with_digits(100 * left_by_lerp(frames), 2) + " %"; };
   report.row("left after 1 s, lerp", left(30) + ", " + left(60),
              {"at 30 and at 60 frames a second", "每秒 30 與 60 格"});
-  report.row("left after 1 s, damp", with_digits(100 * left_by_damp(), 2) + " %",
-             {"e^(-rate t), at any frame rate", "e^(-rate t)，與格速無關"});
+  program
+      .row("left after 1 s, damp", Shown{left_by_damp(), with_digits(100 * left_by_damp(), 2) + " %"},
+           {"e^(-rate t), at any frame rate", "e^(-rate t)，與格速無關"})
+      .value("left_damp");
 }
 //! [report]
 
@@ -257,7 +259,6 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
   program.value("arch_length", ArcLength(tween_bounce::arch()).total());
   program.value("left_30", left_by_lerp(30));
   program.value("left_60", left_by_lerp(60));
-  program.value("left_damp", left_by_damp());
 }
 //! [notes]
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
@@ -52,7 +52,7 @@ ArcLength::ArcLength(Curve curve) : curve_(std::move(curve)), hodograph_(curve_)
   allowed_ = relative_error / 16 * rough;
   for (std::size_t i = 1; i < joints.size(); ++i)
     measure({joints[i - 1], joints[i], parts[i - 1].control_points()});
-  if (!std::isfinite(total())) throw std::invalid_argument("curve's length: must be finite");
+  if (!std::isfinite(total())) refuse("curve's length", "must be finite");
 }
 
 double ArcLength::Piece::length() const {
