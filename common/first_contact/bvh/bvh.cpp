@@ -1,10 +1,10 @@
 #include "first_contact/bvh/bvh.hpp"
 
-#include <stdexcept>
 #include <string>
 
 #include "first_contact/bvh/cast/parts.hpp"
 #include "first_contact/bvh/cast/turns.hpp"
+#include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
 
@@ -34,8 +34,9 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh) {
 
 void sweep(std::span<const Moving<Sphere>> moving, const Bvh& bvh, std::span<std::optional<Contact>> first) {
   if (first.size() != moving.size())
-    throw std::invalid_argument("sweep of many spheres: " + std::to_string(first.size()) + " contacts for " +
-                                std::to_string(moving.size()) + " spheres: must be as many");
+    refuse("sweep of many spheres: " + std::to_string(first.size()) + " contacts for " +
+               std::to_string(moving.size()) + " spheres",
+           "must be as many");
   bvh::Turns(moving, bvh.parts(), first).run();
 }
 
