@@ -68,7 +68,7 @@ TEST_CASE("Points are those of the stage: in the object's own coordinates they m
 
 TEST_CASE("An object that is turned has the bounding box of what stands on the stage") {
   const StageObject object(square, Eigen::Affine2d(Eigen::Rotation2Dd(std::numbers::pi / 4)));
-  CHECK(object.bounding_box().max().x() == Approx(std::sqrt(2.0)));
+  CHECK(object.bounding_box().high.x() == Approx(std::sqrt(2.0)));
   CHECK(hit_test_point(object, {1.2, 1.2}));
   CHECK_FALSE(hit_test_point(object, {1.2, 1.2}, true));
 }

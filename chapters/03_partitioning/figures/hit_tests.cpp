@@ -23,7 +23,7 @@ void add_shape(figure::Scene& scene, const StageObject& object, const Vector& sh
 }
 
 void add_box(figure::Scene& scene, const Rectangle& box, const Vector& shift, bool hit) {
-  const Point2 &low = box.min(), &high = box.max();
+  const auto& [low, high] = box;
   scene.polygon(on_page({low, {high.x(), low.y()}, high, {low.x(), high.y()}}, shift),
                 {hit ? colour::amber : colour::mist, hit ? 0.3 : 1, false,
                  hit ? Pen{colour::orange, 1.4, true} : Pen{colour::grey, 1.2, true}},
@@ -64,7 +64,7 @@ void draw_hit_tests(const Studio& studio) {
   const bool boxes = hit_test_object(stage.leaf, stage.hook);
   add_box(scene, stage.leaf.bounding_box(), third, false);
   add_box(scene, stage.hook.bounding_box(), third, false);
-  add_box(scene, stage.leaf.bounding_box().intersection(stage.hook.bounding_box()), third, boxes);
+  add_box(scene, stage.leaf.bounding_box().common(stage.hook.bounding_box()), third, boxes);
   add_shape(scene, stage.leaf, third, false);
   add_shape(scene, stage.hook, third, false);
   title(third, 1.9, "hitTestObject", boxes);

@@ -1,29 +1,23 @@
 #pragma once
-#include <cmath>
-
+#include "first_contact/geometry/fused.hpp"
 #include "first_contact/geometry/space.hpp"
 
 namespace first_contact {
-
-/// A vector of float, double or another floating-point number.
-template <class Scalar>
-using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
 
 /// a b - c d to within one and a half units in its last place, however much of it cancels: a fused
 /// multiply-add gives what the rounding of c d left out (Kahan; proof: Jeannerod, Louvet and Muller,
 /// Mathematics of Computation 82, 2013).
 template <class Scalar>
-Scalar difference_of_products(Scalar a, Scalar b, Scalar c, Scalar d) {
-  using std::fma;
+EIGEN_ALWAYS_INLINE Scalar difference_of_products(Scalar a, Scalar b, Scalar c, Scalar d) {
   const Scalar cd = c * d;
-  const Scalar left_out = fma(-c, d, cd);
-  return fma(a, b, -cd) + left_out;
+  const Scalar left_out = fused(-c, d, cd);
+  return fused(a, b, -cd) + left_out;
 }
 
 /// a x b with each coordinate right to one and a half units in its last place. The plain formula is off by
 /// that much of |a| |b|, which is everything if a and b are long and nearly parallel.
 template <class Scalar>
-Vector3<Scalar> accurate_cross(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+EIGEN_ALWAYS_INLINE Vector3<Scalar> accurate_cross(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
   return {difference_of_products(a.y(), b.z(), a.z(), b.y()),
           difference_of_products(a.z(), b.x(), a.x(), b.z()),
           difference_of_products(a.x(), b.y(), a.y(), b.x())};

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
 
@@ -36,7 +37,7 @@ struct Nearby {
   }
 
   Point back(const Point& p) const { return origin + p / scale; }
-  double distance(const Point& p, const Point& q) const { return (scale * (p - q)).norm() / scale; }
+  double distance(const Point& p, const Point& q) const { return norm(scale * (p - q)) / scale; }
 
   Point origin;
   double scale;
@@ -51,14 +52,16 @@ void require_points(std::span<const Point> points) {
 
 // The smallest box around the points with its sides along the columns of `axes`, which is a rotation.
 Box box_along(const Eigen::Matrix3d& axes, std::span<const Point> points) {
-  Vector low = axes.transpose() * points.front();
+  Vector low = product(axes.transpose(), points.front());
   Vector high = low;
   for (const Point& p : points) {
-    low = low.cwiseMin(axes.transpose() * p);
-    high = high.cwiseMax(axes.transpose() * p);
+    const Vector along = product(axes.transpose(), p);
+    low = low.cwiseMin(along);
+    high = high.cwiseMax(along);
   }
   const Vector size = high - low;
-  return {axes * (low + 0.5 * size), size.x() * axes.col(0), size.y() * axes.col(1), size.z() * axes.col(2)};
+  return {product(axes, low + 0.5 * size), size.x() * axes.col(0), size.y() * axes.col(1),
+          size.z() * axes.col(2)};
 }
 
 //! [through]
@@ -74,13 +77,13 @@ Sphere through(const std::vector<Point>& rim) {
   for (std::size_t i = 1; i < rim.size(); ++i) {
     const Vector edge = rim[i] - rim[0];
     Vector rest = edge;
-    for (std::size_t j = 0; j < found; ++j) rest -= across[j].dot(edge) * across[j];
-    if (rest.norm() <= flat_tolerance * edge.norm()) continue;
-    across[found] = rest.normalized();
-    to_center += (0.5 * edge.squaredNorm() - edge.dot(to_center)) / edge.dot(across[found]) * across[found];
+    for (std::size_t j = 0; j < found; ++j) rest -= dot(across[j], edge) * across[j];
+    if (norm(rest) <= flat_tolerance * norm(edge)) continue;
+    across[found] = normalized(rest);
+    to_center += (0.5 * squared_norm(edge) - dot(edge, to_center)) / dot(edge, across[found]) * across[found];
     ++found;
   }
-  return {rim[0] + to_center, to_center.norm()};
+  return {rim[0] + to_center, norm(to_center)};
 }
 //! [through]
 
@@ -90,7 +93,7 @@ Sphere smallest(std::span<const Point> points, const std::vector<Point>& rim) {
   Sphere sphere = rim.empty() ? Sphere{points.front(), 0} : through(rim);
   if (rim.size() == 4) return sphere;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if ((points[i] - sphere.center).norm() <= (1 + outside_tolerance) * sphere.radius) continue;
+    if (norm(points[i] - sphere.center) <= (1 + outside_tolerance) * sphere.radius) continue;
     std::vector<Point> wider = rim;
     wider.push_back(points[i]);
     sphere = smallest(points.first(i), wider);
@@ -138,7 +141,7 @@ Sphere bounding_sphere(std::span<const Point> points) {
   return sphere;
 }
 
-double volume(const Box& box) { return box.r.norm() * box.s.norm() * box.t.norm(); }
+double volume(const Box& box) { return norm(box.r) * norm(box.s) * norm(box.t); }
 
 double volume(const Sphere& sphere) { return 4 * std::numbers::pi / 3 * std::pow(sphere.radius, 3); }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
@@ -28,8 +29,8 @@ Vector sum_above(const Vector& a, const Vector& b) { return -sum_below(-a, -b); 
 
 // Do all corners lie beyond the box in this direction? The box is that of the vectors from -half to half.
 bool parts(const Vector& direction, const std::array<Vector, 3>& corners, const Vector& half) {
-  const double reach = half.dot(direction.cwiseAbs());
-  const double a = direction.dot(corners[0]), b = direction.dot(corners[1]), c = direction.dot(corners[2]);
+  const double reach = dot(half, direction.cwiseAbs());
+  const double a = dot(direction, corners[0]), b = dot(direction, corners[1]), c = dot(direction, corners[2]);
   return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
 }
 

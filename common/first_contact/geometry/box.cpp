@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
@@ -9,7 +10,7 @@ namespace first_contact {
 namespace {
 
 void require_perpendicular(const Vector& a, const Vector& b, const std::string& names) {
-  if (std::abs(a.stableNormalized().dot(b.stableNormalized())) <= Box::perpendicular_tolerance) return;
+  if (std::abs(dot(normalized(a), normalized(b))) <= Box::perpendicular_tolerance) return;
   refuse("box's axes " + names + " (" + to_text(a) + ") and (" + to_text(b) + ")", "must be perpendicular");
 }
 
@@ -24,12 +25,12 @@ Box::Box(const Point& q, const Vector& along_r, const Vector& along_s, const Vec
   require_perpendicular(r, s, "R, S");
   require_perpendicular(s, t, "S, T");
   require_perpendicular(t, r, "T, R");
-  require_length(r.stableNorm() + s.stableNorm() + t.stableNorm(), "box's lengths together");
+  require_length(norm(r) + norm(s) + norm(t), "box's lengths together");
 }
 
 //! [effective_radius]
 double Box::effective_radius(const Vector& unit) const {
-  return 0.5 * (std::abs(r.dot(unit)) + std::abs(s.dot(unit)) + std::abs(t.dot(unit)));
+  return 0.5 * (std::abs(dot(r, unit)) + std::abs(dot(s, unit)) + std::abs(dot(t, unit)));
 }
 //! [effective_radius]
 

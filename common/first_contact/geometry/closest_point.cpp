@@ -4,21 +4,22 @@
 
 #include "first_contact/geometry/facet.hpp"
 #include "first_contact/geometry/line_triangle.hpp"
+#include "first_contact/geometry/products.hpp"
 
 namespace first_contact {
 
 Point closest_point(const Point& point, const Point& a, const Point& b) {
   const Vector e = b - a;
-  const double along = (point - a).dot(e);
+  const double along = dot(point - a, e);
   if (!(along > 0)) return a;
-  if ((point - b).dot(e) >= 0) return b;
-  return a + along / e.squaredNorm() * e;
+  if (dot(point - b, e) >= 0) return b;
+  return a + along / squared_norm(e) * e;
 }
 
 Point closest_point(const Point& point, const Point& a, const Point& b, const Point& c) {
   Point best = closest_point(point, a, b);
   const auto offer = [&](const Point& candidate) {
-    if ((candidate - point).squaredNorm() < (best - point).squaredNorm()) best = candidate;
+    if (squared_norm(candidate - point) < squared_norm(best - point)) best = candidate;
   };
   offer(closest_point(point, b, c));
   offer(closest_point(point, c, a));

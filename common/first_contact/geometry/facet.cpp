@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "first_contact/geometry/accurate_cross.hpp"
+#include "first_contact/geometry/products.hpp"
 
 namespace first_contact {
 
@@ -20,7 +21,7 @@ constexpr double thin = 1 / 16.0;
 
 CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   const Vector ab = b - a, bc = c - b, ca = a - c;
-  const double ab2 = ab.squaredNorm(), bc2 = bc.squaredNorm(), ca2 = ca.squaredNorm();
+  const double ab2 = squared_norm(ab), bc2 = squared_norm(bc), ca2 = squared_norm(ca);
   const double longest2 = std::max({ab2, bc2, ca2});
   longest = std::sqrt(longest2);
   const bool at_a = bc2 >= std::max(ab2, ca2);
@@ -28,10 +29,10 @@ CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
   corner = at_a ? a : at_b ? b : c;
   const Vector &in = at_a ? ca : at_b ? ab : bc, &out = at_a ? ab : at_b ? bc : ca;
   normal = in.cross(out);
-  if (normal.squaredNorm() < thin * longest2 * (thin * longest2)) normal = accurate_cross<double>(in, out);
+  if (squared_norm(normal) < thin * longest2 * (thin * longest2)) normal = accurate_cross<double>(in, out);
 }
 
-Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(normal.norm()) {}
+Facet::Facet(const Triangle& t) : CornerNormal(t.a, t.b, t.c), triangle(t), length(norm(normal)) {}
 
 bool Facet::thin_for(double radius) const {
   // Let l be the longest side and h = |n| / l the height above it. A ball of radius r that lies on the edges

@@ -6,7 +6,7 @@ namespace {
 
 /// Twice the signed area of the triangle of p, q and the origin. Rounding keeps the order of the two
 /// products, so the sign is never wrong: at worst it is 0, and 0 counts as inside.
-double area(const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() * q.y() - p.y() * q.x(); }
+double area(const Vector2& p, const Vector2& q) { return p.x() * q.y() - p.y() * q.x(); }
 
 }  // namespace
 
@@ -19,14 +19,13 @@ std::optional<Vector> weights_where_line_meets(const Vector& direction, const Ve
   if (!(depth > 0)) return std::nullopt;
   const Eigen::Index x = (z + 1) % 3, y = (z + 2) % 3;
   const auto flatten = [&](const Vector& p) {
-    return Eigen::Vector2d(p[x] - direction[x] / direction[z] * p[z],
-                           p[y] - direction[y] / direction[z] * p[z]);
+    return Vector2(p[x] - direction[x] / direction[z] * p[z], p[y] - direction[y] / direction[z] * p[z]);
   };
-  const Eigen::Vector2d p = flatten(a), q = flatten(b), r = flatten(c);
+  const Vector2 p = flatten(a), q = flatten(b), r = flatten(c);
 
   const Vector areas(area(q, r), area(r, p), area(p, q));
   const bool inside = (areas.array() >= 0).all() || (areas.array() <= 0).all();
-  const double sum = areas.sum();
+  const double sum = areas.x() + areas.y() + areas.z();
   if (!inside || sum == 0) return std::nullopt;
   return areas / sum;
 }

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/weld.hpp"
 
 namespace first_contact {
@@ -71,17 +72,17 @@ constexpr double nearly_parallel = 1e-7;
 /// plane). If the sum of the extreme rays does not lead away from all edges, no direction does.
 bool no_way_out(const std::vector<Vector>& edges) {
   const auto leads_away = [&](const Vector& w, double slack) {
-    return std::all_of(edges.begin(), edges.end(), [&](const Vector& e) { return w.dot(e) <= slack; });
+    return std::all_of(edges.begin(), edges.end(), [&](const Vector& e) { return dot(w, e) <= slack; });
   };
   Vector inner = Vector::Zero();
   const auto offer = [&](const Vector& w) {
-    for (const Vector& ray : {Vector(w.normalized()), Vector(-w.normalized())})
-      if (leads_away(ray, parallel / w.norm())) inner += ray;
+    for (const Vector& ray : {Vector(normalized(w)), Vector(-normalized(w))})
+      if (leads_away(ray, parallel / norm(w))) inner += ray;
   };
   for (auto e = edges.begin(); e != edges.end(); ++e)
     for (auto f = edges.begin(); f != e; ++f) {
       const Vector across = e->cross(*f);
-      const double sine = across.norm();
+      const double sine = norm(across);
       if (sine <= parallel && e->dot(*f) < 0) return true;  // a straight edge goes through the vertex
       if (sine <= nearly_parallel) return false;            // in doubt
       offer(across);
@@ -102,9 +103,10 @@ EdgeKind kind_of(const Facet& first, const Facet& second, const Vector& along, b
   const Vector turn = first.normal.cross(other);  // |n| |n'| sin(angle), along the edge
   const double shape =
       first.longest * first.longest / first.length + second.longest * second.longest / second.length;
-  const bool unbent = turn.norm() <= MeshEdges::flat_tolerance * shape * first.length * second.length;
-  if (unbent) return first.normal.dot(other) > 0 ? EdgeKind::flat : EdgeKind::convex;  // or folded to a knife
-  return turn.dot(along) > 0 ? EdgeKind::convex : EdgeKind::concave;
+  const bool unbent = norm(turn) <= MeshEdges::flat_tolerance * shape * first.length * second.length;
+  if (unbent)
+    return dot(first.normal, other) > 0 ? EdgeKind::flat : EdgeKind::convex;  // or folded to a knife
+  return dot(turn, along) > 0 ? EdgeKind::convex : EdgeKind::concave;
 }
 //! [edge_kind]
 
@@ -150,7 +152,7 @@ void MeshEdges::collect_surroundings(const Mesh& mesh) {
     std::vector<Vector> directions;
     for (const Index edge : edges_at(vertex)) {
       const auto& [p, q] = edges_[edge].vertices;
-      directions.push_back((mesh.vertices()[p == vertex ? q : p] - mesh.vertices()[vertex]).normalized());
+      directions.push_back(normalized(mesh.vertices()[p == vertex ? q : p] - mesh.vertices()[vertex]));
     }
     // A degenerate mesh may shrink to a point: a vertex with a face but no edge is an obstacle all the same.
     const bool lone = directions.empty() && !faces_at(vertex).empty();

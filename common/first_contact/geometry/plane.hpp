@@ -21,7 +21,7 @@ class Plane {
   /// E = [N, D] as a 4-vector.
   const Homogeneous& coefficients() const { return coefficients_; }
   /// E.Q = N.Q + D, the signed distance of a point (paper, 1.2).
-  double signed_distance(const Point& q) const { return coefficients_.dot(as_point(q)); }
+  double signed_distance(const Point& q) const;
   /// E' = [N, D - r], this plane moved by `distance` along its normal (paper, 1.2).
   Plane moved_out(double distance) const;
 

@@ -1,11 +1,50 @@
 #include "first_contact/geometry/space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
+
+namespace {
+
+// Between these no square that matters has left the range of ordinary numbers.
+bool is_ordinary(double square) { return square > 0x1p-900 && square < 0x1p900; }
+
+// The power of two by which the largest coordinate comes to [1, 2); the coordinates are changed exactly by
+// it.
+int exponent_of(const Vector& v) { return std::ilogb(v.cwiseAbs().maxCoeff()); }
+Vector scaled(const Vector& v, int exponent) {
+  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
+}
+
+}  // namespace
+
+double norm(const Vector& v) {
+  const double square = squared_norm(v);
+  if (is_ordinary(square)) return std::sqrt(square);
+  if (!v.allFinite() || v.isZero(0)) return std::sqrt(square);
+  const int exponent = exponent_of(v);
+  return std::ldexp(std::sqrt(squared_norm(scaled(v, -exponent))), exponent);
+}
+
+Vector normalized(const Vector& v) {
+  const double square = squared_norm(v);
+  if (is_ordinary(square)) return v / std::sqrt(square);
+  if (!v.allFinite() || v.isZero(0)) return v;
+  const Vector moderate = scaled(v, -exponent_of(v));
+  return moderate / std::sqrt(squared_norm(moderate));
+}
+
+double lerp(double a, double b, double t) {
+  if ((a <= 0 && b >= 0) || (a >= 0 && b <= 0)) return t * b + (1 - t) * a;  // no difference that overflows
+  if (t == 1) return b;
+  const double x = a + t * (b - a);
+  return (t > 1) == (b > a) ? std::max(b, x) : std::min(b, x);
+}
 
 void require_finite(const Vector& value, const std::string& what) {
   if (!value.allFinite()) refuse(what + " " + to_text(value), "must be finite");

@@ -1,9 +1,10 @@
 #include "first_contact/geometry/transform.hpp"
 
-#include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
 
@@ -37,7 +38,41 @@ Matrix balanced(Matrix m) {
   return m;
 }
 
+// By elimination (Gauss and Jordan). Each step takes the largest entry that is left for its pivot, so that no
+// factor is larger than 1.
+Matrix inverse_of(Matrix rest) {
+  Matrix inverse = Matrix::Identity();
+  std::array<Eigen::Index, 4> order{0, 1, 2, 3};  // of the unknowns, as the columns were exchanged
+  for (Eigen::Index step = 0; step < 4; ++step) {
+    Eigen::Index row = 0, column = 0;
+    rest.bottomRightCorner(4 - step, 4 - step).cwiseAbs().maxCoeff(&row, &column);
+    rest.row(step).swap(rest.row(step + row));
+    inverse.row(step).swap(inverse.row(step + row));
+    rest.col(step).swap(rest.col(step + column));
+    std::swap(order[static_cast<std::size_t>(step)], order[static_cast<std::size_t>(step + column)]);
+    for (Eigen::Index other = 0; other < 4; ++other) {
+      if (other == step) continue;
+      const double factor = rest(other, step) / rest(step, step);
+      rest.row(other) -= factor * rest.row(step);
+      inverse.row(other) -= factor * inverse.row(step);
+    }
+  }
+  Matrix in_order;
+  for (Eigen::Index i = 0; i < 4; ++i)
+    in_order.row(static_cast<Eigen::Index>(order[static_cast<std::size_t>(i)])) = inverse.row(i) / rest(i, i);
+  return in_order;
+}
+
 }  // namespace
+
+double norm(const Quaternion& q) {
+  const double largest = q.coeffs().cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) return largest;
+  const int exponent = std::ilogb(largest);
+  Homogeneous scaled;
+  for (int i = 0; i < 4; ++i) scaled[i] = std::ldexp(q.coeffs()[i], -exponent);
+  return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
+}
 
 bool is_singular(const Matrix& m) {
   const Matrix b = balanced(m);
@@ -47,9 +82,7 @@ bool is_singular(const Matrix& m) {
 Transform::Transform(const Matrix& m) : matrix_(m) {
   if (!m.allFinite()) refuse("transform's matrix", "every entry must be finite");
   if (is_singular(m)) refuse("transform's matrix", "must not be singular");
-  const Eigen::FullPivLU<Matrix> parts(m);
-  for (int column = 0; column < 4; ++column)
-    inverse_.col(column) = parts.solve(Homogeneous(Matrix::Identity().col(column)));
+  inverse_ = inverse_of(m);
   if (is_affine()) inverse_.row(3) = m.row(3);  // [0, 0, 0, 1] exactly
   far_side_ = m.row(3) - m.row(2);
   if (!inverse_.allFinite()) refuse("transform's matrix", "must have a finite inverse");
@@ -80,15 +113,15 @@ Transform Transform::perspective(double view_angle, double aspect, double near_z
   return eye;
 }
 
-bool Transform::is_affine() const { return matrix_.row(3) == Eigen::RowVector4d(0, 0, 0, 1); }
+bool Transform::is_affine() const { return matrix_.row(3) == Homogeneous(0, 0, 0, 1).transpose(); }
 
 Transform Transform::after(const Transform& first) const {
-  Transform both{matrix_ * first.matrix_, first.inverse_ * inverse_};
-  both.far_side_ = first.matrix_.transpose() * far_side_;
+  Transform both{product(matrix_, first.matrix_), product(first.inverse_, inverse_)};
+  both.far_side_ = product(first.matrix_.transpose(), far_side_);
   return both;
 }
 
-Homogeneous Transform::apply(const Homogeneous& x) const { return matrix_ * x; }
+Homogeneous Transform::apply(const Homogeneous& x) const { return product(matrix_, x); }
 
 //! [transform_point]
 Point Transform::point(const Point& q) const {
@@ -106,42 +139,49 @@ Vector Transform::direction(const Vector& v) const {
 
 //! [transform_plane]
 Plane Transform::plane(const Plane& e) const {
-  const Homogeneous image = inverse_.transpose() * e.coefficients();
+  const Homogeneous image = product(inverse_.transpose(), e.coefficients());
   return {image.head<3>(), image.w()};
 }
 //! [transform_plane]
 
 Rigid::Rigid() : Rigid(Eigen::Matrix3d::Identity(), Vector::Zero()) {}
 
-Rigid::Rigid(const Eigen::Quaterniond& turn, const Vector& shift) : translation_(shift) {
+Rigid::Rigid(const Quaternion& turn, const Vector& shift) : translation_(shift) {
   require_finite(translation_, "rigid motion's translation");
-  const double length = turn.coeffs().stableNorm();
+  const double length = norm(turn);
   require(length > 0 && std::isfinite(length), "rotation's quaternion of length", length,
           "finite and not zero");
-  rotation_ = Eigen::Quaterniond(turn.coeffs() / length).toRotationMatrix();
+  rotation_ = Quaternion(turn.coeffs() / length).toRotationMatrix();
 }
 
-Rigid Rigid::moved_by(const Vector& shift) { return {Eigen::Quaterniond::Identity(), shift}; }
+Rigid Rigid::moved_by(const Vector& shift) { return {Quaternion::Identity(), shift}; }
 
 Rigid Rigid::turned(const Vector& axis, double angle) {
   require_finite(axis, "axis of rotation");
   require(std::isfinite(angle), "angle of rotation", angle, "finite");
   if (axis.isZero(0)) refuse("axis of rotation " + to_text(axis), "must not be zero");
-  return {Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.stableNormalized())), Vector::Zero()};
+  return {Quaternion(Eigen::AngleAxisd(angle, normalized(axis))), Vector::Zero()};
 }
 
-Rigid Rigid::inverse() const { return {rotation_.transpose(), rotation_.transpose() * -translation_}; }
+Rigid Rigid::inverse() const {
+  const Eigen::Matrix3d back = rotation_.transpose();
+  return {back, product(back, -translation_)};
+}
 
 Rigid Rigid::after(const Rigid& first) const {
-  return {rotation_ * first.rotation_, point(first.translation_)};
+  return {product(rotation_, first.rotation_), point(first.translation_)};
 }
+
+Point Rigid::point(const Point& q) const { return product(rotation_, q) + translation_; }
+
+Vector Rigid::direction(const Vector& v) const { return product(rotation_, v); }
 
 Transform Rigid::transform() const { return Transform::affine(rotation_, translation_); }
 
 // A rotation is its own inverse transpose; D changes by what the translation adds to N.Q.
 Plane Rigid::plane(const Plane& e) const {
   const Vector normal = direction(e.normal());
-  return {normal, e.offset() - normal.dot(translation_)};
+  return {normal, e.offset() - dot(normal, translation_)};
 }
 
 Sphere Rigid::sphere(const Sphere& s) const { return {point(s.center), s.radius}; }

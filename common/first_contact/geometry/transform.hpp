@@ -7,7 +7,11 @@
 namespace first_contact {
 
 /// A 4x4 matrix that acts on points and directions as 4-vectors.
-using Matrix = Eigen::Matrix4d;
+using Matrix = Eigen::Matrix<double, 4, 4, unaligned>;
+/// A rotation as four numbers, of any length but zero.
+using Quaternion = Eigen::Quaternion<double, unaligned>;
+/// Its length, however long or short.
+double norm(const Quaternion& q);
 
 /// An invertible map of space by a 4x4 matrix on homogeneous coordinates (paper, 1.2 and 2.4.2): affine if
 /// its last row is [0, 0, 0, 1], otherwise projective. Planes go by the inverse transpose: that keeps E.Q =
@@ -84,7 +88,7 @@ class Rigid {
   Rigid();
   /// \param turn any quaternion but zero; it is divided by its length.
   /// \throws std::invalid_argument if the quaternion is zero, or a coordinate is not finite.
-  Rigid(const Eigen::Quaterniond& turn, const Vector& shift);
+  Rigid(const Quaternion& turn, const Vector& shift);
 
   /// A shift alone.
   static Rigid moved_by(const Vector& shift);
@@ -105,9 +109,9 @@ class Rigid {
   Transform transform() const;
 
   /// A point, turned and moved.
-  Point point(const Point& q) const { return rotation_ * q + translation_; }
+  Point point(const Point& q) const;
   /// A direction, turned.
-  Vector direction(const Vector& v) const { return rotation_ * v; }
+  Vector direction(const Vector& v) const;
   /// The plane of the moved points.
   Plane plane(const Plane& e) const;
   /// A sphere, its centre moved.

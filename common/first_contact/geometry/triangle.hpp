@@ -16,7 +16,7 @@ struct Triangle {
   }
 
   /// (b - a) x (c - a): at right angles to the triangle, twice its area long; zero if it is degenerate.
-  Vector area_vector() const { return (b - a).cross(c - a); }
+  Vector area_vector() const;
 
   ///@{
   /// A corner.

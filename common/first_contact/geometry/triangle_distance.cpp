@@ -4,12 +4,13 @@
 #include <array>
 
 #include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/geometry/products.hpp"
 
 namespace first_contact {
 namespace {
 
 void keep_nearer(NearestPoints& best, const NearestPoints& offer) {
-  if ((offer.second - offer.first).squaredNorm() < (best.second - best.first).squaredNorm()) best = offer;
+  if (squared_norm(offer.second - offer.first) < squared_norm(best.second - best.first)) best = offer;
 }
 
 NearestPoints turned_round(const NearestPoints& pair) { return {pair.second, pair.first}; }
@@ -25,12 +26,14 @@ void offer_face(NearestPoints& best, const std::array<Point, 3>& corners, const 
       keep_nearer(best, swapped ? turned_round(pair) : pair);
     };
     offer(p);
-    const double above = n.dot(p - face.a), below = n.dot(q - face.a);
+    const double above = dot(n, p - face.a), below = dot(n, q - face.a);
     if ((above > 0) != (below > 0) && above != below) offer(p + above / (above - below) * (q - p));
   }
 }
 
 }  // namespace
+
+double NearestPoints::distance() const { return norm(second - first); }
 
 //! [nearest_of_segments]
 NearestPoints nearest_points(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -40,7 +43,7 @@ NearestPoints nearest_points(const Point& a, const Point& b, const Point& c, con
   keep_nearer(best, {closest_point(d, a, b), d});
   const Vector u = b - a, v = d - c, across = u.cross(v);
   if (across.isZero(0)) return best;  // parallel: an end is nearest
-  const Point p = a + std::clamp((c - a).cross(v).dot(across) / across.squaredNorm(), 0.0, 1.0) * u;
+  const Point p = a + std::clamp(dot((c - a).cross(v), across) / squared_norm(across), 0.0, 1.0) * u;
   keep_nearer(best, {p, closest_point(p, c, d)});
   return best;
 }

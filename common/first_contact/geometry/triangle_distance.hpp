@@ -11,7 +11,7 @@ struct NearestPoints {
   ///@}
 
   /// How far apart they are.
-  double distance() const { return (second - first).norm(); }
+  double distance() const;
 };
 
 /// The nearest points of the segments ab and cd (Ericson, Real-Time Collision Detection, 5.1.9). Either may

@@ -14,8 +14,8 @@ namespace {
 using Index = std::uint32_t;
 
 bool is_degenerate(const Triangle& t) {
-  const double sides = (t.b - t.a).stableNorm() * (t.c - t.a).stableNorm();
-  return !(t.area_vector().stableNorm() > degenerate_tolerance * sides);
+  const double sides = norm(t.b - t.a) * norm(t.c - t.a);
+  return !(norm(t.area_vector()) > degenerate_tolerance * sides);
 }
 
 std::size_t count_non_manifold(const std::vector<Mesh::Face>& faces) {

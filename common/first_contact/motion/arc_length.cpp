@@ -57,10 +57,10 @@ ArcLength::ArcLength(Curve curve) : curve_(std::move(curve)), hodograph_(curve_)
 
 double ArcLength::Piece::length() const {
   const Bezier hodograph(speeds);
-  return (to - from) * gauss_sum([&](double s) { return hodograph.at(s).norm(); }, 0, 1);
+  return (to - from) * gauss_sum([&](double s) { return norm(hodograph.at(s)); }, 0, 1);
 }
 
-double ArcLength::speed(double u) const { return first_contact::at(hodograph_, u).norm(); }
+double ArcLength::speed(double u) const { return norm(first_contact::at(hodograph_, u)); }
 
 double ArcLength::gauss(double from, double to) const {
   return gauss_sum([this](double u) { return speed(u); }, from, to);
@@ -95,17 +95,17 @@ bool ArcLength::goes_one_way(const Piece& piece, double allowed) {
   double polygon = 0, deviation = 0;
   for (const Vector& v : piece.speeds) mean += v / count;
   for (const Vector& v : piece.speeds) {
-    polygon += v.norm() / count;
-    deviation = std::max(deviation, (v - mean).norm());
+    polygon += norm(v) / count;
+    deviation = std::max(deviation, norm(v - mean));
   }
-  const double chord = mean.norm();
+  const double chord = norm(mean);
   return deviation <= chord / 2 || !(polygon - chord > allowed);
 }
 //! [arc_length]
 
 double ArcLength::allowed_in(const Piece& piece) const {
   double fastest = 0;
-  for (const Vector& v : piece.speeds) fastest = std::max(fastest, v.norm());
+  for (const Vector& v : piece.speeds) fastest = std::max(fastest, norm(v));
   return std::max(allowed_, rounding_of_speed * static_cast<double>(piece.speeds.size()) * fastest);
 }
 
@@ -144,7 +144,7 @@ double ArcLength::parameter_at(double length) const {
   const auto piece = static_cast<std::size_t>(next - lengths_.begin()) - 1;
   double low = parameters_[piece], high = parameters_[piece + 1];
   const double part = (length - lengths_[piece]) / (lengths_[piece + 1] - lengths_[piece]);
-  double u = std::lerp(low, high, part);
+  double u = lerp(low, high, part);
   for (int step = 0; step < 100; ++step) {
     const double missing = length - length_to(u);
     (missing > 0 ? low : high) = u;
@@ -160,7 +160,7 @@ double ArcLength::parameter_at(double length) const {
 // Where the curve stands still at its end, it leaves along the first control vector that is not zero.
 Vector ArcLength::direction_beyond(double end) const {
   const Vector tangent = first_contact::at(hodograph_, end);
-  if (!tangent.isZero(0)) return tangent.normalized();
+  if (!tangent.isZero(0)) return normalized(tangent);
   std::vector<Vector> speeds = control_points(hodograph_);
   if (end == 1) std::reverse(speeds.begin(), speeds.end());
   const auto first = std::find_if(speeds.begin(), speeds.end(), [](const Vector& v) { return !v.isZero(0); });

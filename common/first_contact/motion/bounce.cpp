@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/space.hpp"
 
 namespace first_contact {
 
@@ -28,7 +29,7 @@ double geometric_sum(double e, std::size_t m) {
 // The first root of h - v t - g t^2 / 2 = 0. Energy gives the speed there; the time follows by the form of
 // the root that does not cancel.
 std::optional<Landing> first_landing(double h, double v, double g) {
-  const double speed = std::hypot(v, std::sqrt(2 * g) * std::sqrt(h));
+  const double speed = norm({v, std::sqrt(2 * g) * std::sqrt(h), 0});
   if (speed == 0) return std::nullopt;                     // at rest, on the floor or without gravity
   if (v >= 0) return Landing{2 * h / (v + speed), speed};  // thrown down, or dropped
   if (g == 0) return std::nullopt;                         // thrown up, and nothing brings it back

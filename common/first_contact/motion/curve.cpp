@@ -92,7 +92,7 @@ std::size_t BSpline::piece_of(double x) const {
 
 //! [de_boor]
 Point BSpline::at(double u) const {
-  const double x = std::lerp(first(), last(), u);
+  const double x = lerp(first(), last(), u);
   const std::size_t piece = piece_of(x);
   const auto from = control_.begin() + static_cast<std::ptrdiff_t>(piece - degree_);
   std::vector<Point> points(from, from + static_cast<std::ptrdiff_t>(degree_ + 1));
@@ -194,7 +194,7 @@ std::vector<double> breaks(const Curve& curve) {
 
 double longest_control_vector(const Curve& hodograph) {
   double longest = 0;
-  for (const Vector& v : control_points(hodograph)) longest = std::max(longest, v.norm());
+  for (const Vector& v : control_points(hodograph)) longest = std::max(longest, norm(v));
   return longest;
 }
 

@@ -142,7 +142,7 @@ std::span<const Named> all() {
 double damp(double from, double goal, double rate, double dt) {
   require_length(rate, "damping rate");
   require_length(dt, "time step");
-  return std::lerp(from, goal, -std::expm1(-rate * dt));  // the part done: 1 - e^(-rate dt)
+  return lerp(from, goal, -std::expm1(-rate * dt));  // the part done: 1 - e^(-rate dt)
 }
 //! [damp]
 

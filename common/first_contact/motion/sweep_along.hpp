@@ -37,7 +37,7 @@ std::optional<Contact> sweep_along(const Curve& curve, double radius, const Obst
     const Point to = at(curve, u[i]);
     auto contact = sweep(Moving<Sphere>{{from, radius}, to - from}, obstacle);
     if (contact) {
-      contact->time = std::lerp(u[i - 1], u[i], contact->time);
+      contact->time = lerp(u[i - 1], u[i], contact->time);
       return contact;
     }
     from = to;

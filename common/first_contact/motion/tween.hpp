@@ -70,10 +70,10 @@ class Tween {
 
 /// A pose of a rigid body at a time.
 struct Pose {
-  double time;                     ///< later than that of the pose before
-  Point position;                  ///< of the body's origin
-  Eigen::Quaterniond orientation;  ///< of any length but 0
-  Easing easing = ease::linear;    ///< of the way to the next
+  double time;                   ///< later than that of the pose before
+  Point position;                ///< of the body's origin
+  Quaternion orientation;        ///< of any length but 0
+  Easing easing = ease::linear;  ///< of the way to the next
 };
 
 /// A rigid motion through key poses: straight lines for the position, and for the orientation the shortest

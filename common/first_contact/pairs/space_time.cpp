@@ -21,7 +21,7 @@ SpaceTimeBox bounds_of(Boxes boxes) {
 
 // The axis on which the boxes' middles lie farthest apart, on average, as measured in boxes.
 Eigen::Index widest_axis(Boxes boxes) {
-  Eigen::Array4d middle = Eigen::Array4d::Zero(), size = middle, spread = middle;
+  SpaceTimeBox::Corner middle = SpaceTimeBox::Corner::Zero(), size = middle, spread = middle;
   const double share = 1 / static_cast<double>(boxes.size());
   for (const SpaceTimeBox& box : boxes) {
     middle += share * (0.5 * box.low + 0.5 * box.high);

@@ -1,9 +1,10 @@
 #pragma once
-#include <Eigen/Core>
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
+
+#include "first_contact/geometry/space.hpp"
 
 /// \file
 /// Which of many boxes overlap? The boxes have four sides: three in space, and the time. What is at one place
@@ -13,9 +14,12 @@ namespace first_contact {
 
 /// Where something could be, and when: x, y, z and t.
 struct SpaceTimeBox {
-  Eigen::Array4d low;   ///< the smallest of each
-  Eigen::Array4d high;  ///< the largest of each
-  std::size_t owner;    ///< the number of the thing
+  /// x, y, z and t.
+  using Corner = Eigen::Array<double, 4, 1, unaligned>;
+
+  Corner low;         ///< the smallest of each
+  Corner high;        ///< the largest of each
+  std::size_t owner;  ///< the number of the thing
 };
 
 /// Do two boxes share more than their boundary?

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
 
@@ -34,21 +35,21 @@ Body<Dimension>::Body(double m, const Velocity& v) : mass(m), velocity(v) {
 //! [impact]
 template <int Dimension>
 Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
-                         const Eigen::Matrix<double, Dimension, 1>& normal, double restitution) {
+                         const VectorOf<Dimension>& normal, double restitution) {
   if (!(restitution >= 0 && restitution <= 1)) refuse("restitution", restitution, "must be in 0 .. 1");
   const double size = normal.cwiseAbs().maxCoeff();
   if (!normal.allFinite() || size == 0) refuse("normal", "must be finite and not zero");
-  const Eigen::Matrix<double, Dimension, 1> n = unit_scale(size) * normal;  // its length does not matter
+  const VectorOf<Dimension> n = unit_scale(size) * normal;  // its length does not matter
 
   const double slower = unit_scale(fastest(p, q));
-  const double approach = (slower * p.velocity - slower * q.velocity).dot(n);
+  const double approach = dot(slower * p.velocity - slower * q.velocity, n);
   if (!(approach < 0)) return {p.velocity, q.velocity, 0 * n};
 
   // Masses act by their inverses, so that 0 can stand for a body that nothing moves.
   const double lighter = unit_scale(std::min(p.mass, q.mass));
   const double inverse_p = 1 / (lighter * p.mass), inverse_q = 1 / (lighter * q.mass);
   if (inverse_p + inverse_q == 0) refuse("masses", "at most one may be infinite");
-  const double impulse = -(1 + restitution) * approach / (n.squaredNorm() * (inverse_p + inverse_q));
+  const double impulse = -(1 + restitution) * approach / (squared_norm(n) * (inverse_p + inverse_q));
   return finite<Dimension>({p.velocity + impulse * inverse_p / slower * n,
                             q.velocity - impulse * inverse_q / slower * n, impulse * n / slower / lighter});
 }
@@ -56,7 +57,7 @@ Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
 
 template struct Body<2>;
 template struct Body<3>;
-template Impact<2> impact(const Body<2>&, const Body<2>&, const Eigen::Vector2d&, double);
-template Impact<3> impact(const Body<3>&, const Body<3>&, const Eigen::Vector3d&, double);
+template Impact<2> impact(const Body<2>&, const Body<2>&, const Vector2&, double);
+template Impact<3> impact(const Body<3>&, const Body<3>&, const Vector&, double);
 
 }  // namespace first_contact

@@ -1,13 +1,19 @@
 #pragma once
+#include <type_traits>
+
 #include "first_contact/geometry/space.hpp"
 
 namespace first_contact {
+
+/// A vector in the plane (2) or in space (3).
+template <int Dimension>
+using VectorOf = std::conditional_t<Dimension == 2, Vector2, Vector>;
 
 /// A body that can be struck: its mass and its velocity, in the plane (Dimension 2) or in space (3).
 template <int Dimension>
 struct Body {
   /// In the unit of the caller's choice.
-  using Velocity = Eigen::Matrix<double, Dimension, 1>;
+  using Velocity = VectorOf<Dimension>;
 
   /// \param m  positive; infinite for what nothing can move, such as a wall.
   /// \throws std::invalid_argument if the mass is zero, negative or not a number, or the velocity is not
@@ -25,7 +31,7 @@ template <int Dimension>
 struct Impact {
   ///@{
   /// After the impact; the impulse in units of mass times velocity.
-  Eigen::Matrix<double, Dimension, 1> velocity_p, velocity_q, impulse;
+  VectorOf<Dimension> velocity_p, velocity_q, impulse;
   ///@}
 };
 
@@ -42,6 +48,6 @@ struct Impact {
 ///     approach, or a velocity or an impulse that comes out larger than any double.
 template <int Dimension>
 Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
-                         const Eigen::Matrix<double, Dimension, 1>& normal, double restitution);
+                         const VectorOf<Dimension>& normal, double restitution);
 
 }  // namespace first_contact

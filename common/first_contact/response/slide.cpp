@@ -3,24 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 //! [slide_target]
-Point slide_target(const Point& p2, const Point& q, const Vector& n) { return p2 - (p2 - q).dot(n) * n; }
+Point slide_target(const Point& p2, const Point& q, const Vector& n) { return p2 - dot(p2 - q, n) * n; }
 //! [slide_target]
 
 namespace {
 
 //! [slide_ways]
 // What remains of a motion along a wall: P3 - Q, for the motion P2 - Q.
-Vector along_wall(const Vector& rest, const Vector& n) { return rest - rest.dot(n) * n; }
+Vector along_wall(const Vector& rest, const Vector& n) { return rest - dot(rest, n) * n; }
 
 // What remains of it along the crease of two walls.
 Vector along_crease(const Vector& rest, const Vector& n, const Vector& m) {
   const Vector crease = n.cross(m);
-  if (crease.norm() < slide_same_wall) return Vector::Zero();  // parallel walls have none
-  const Vector direction = crease.normalized();
-  return rest.dot(direction) * direction;
+  if (norm(crease) < slide_same_wall) return Vector::Zero();  // parallel walls have none
+  const Vector direction = normalized(crease);
+  return dot(rest, direction) * direction;
 }
 //! [slide_ways]
 
@@ -40,7 +42,7 @@ struct Way {
 
 // The shortest motion away from two walls, by the lift of each.
 Vector away_from(const Wall& a, const Wall& b) {
-  const double cosine = a.normal.dot(b.normal), sine_squared = a.normal.cross(b.normal).squaredNorm();
+  const double cosine = dot(a.normal, b.normal), sine_squared = squared_norm(a.normal.cross(b.normal));
   return ((a.lift - cosine * b.lift) * a.normal + (b.lift - cosine * a.lift) * b.normal) / sine_squared;
 }
 
@@ -55,7 +57,7 @@ class Walls {
  private:
   bool leads_into_none(const Vector& way, double rounding) const {
     return std::all_of(here_.begin(), here_.end(),
-                       [&](const Wall& wall) { return way.dot(wall.normal) >= -rounding; });
+                       [&](const Wall& wall) { return dot(way, wall.normal) >= -rounding; });
   }
 
   double gap_;
@@ -74,7 +76,7 @@ void Walls::move_on() {
 // until it is passed.
 void Walls::add(const Vector& normal, double distance) {
   const auto same = [&](const Wall& wall) {
-    return wall.normal.dot(normal) > 0 && wall.normal.cross(normal).norm() < slide_same_wall;
+    return dot(wall.normal, normal) > 0 && norm(wall.normal.cross(normal)) < slide_same_wall;
   };
   const auto known = std::find_if(here_.begin(), here_.end(), same);
   if (known == here_.end())
@@ -88,13 +90,13 @@ void Walls::add(const Vector& normal, double distance) {
 // Of all ways along a wall or a crease that lead into no wall and forwards, the longest: as each is a
 // projection of the motion wished for, the longest is also the nearest to it.
 Way Walls::way_on(const Vector& rest, const Vector& forwards) const {
-  const double rounding = slide_gap * rest.stableNorm();
+  const double rounding = slide_gap * norm(rest);
   Way best{Vector::Zero(), Vector::Zero()};
   double longest = rounding;  // what is shorter is nothing else
   const auto consider = [&](const Vector& along, const Vector& away) {
-    const double length = along.stableNorm();
+    const double length = norm(along);
     if (!(length > longest) || !leads_into_none(along, rounding)) return;
-    if (!(along.dot(forwards) > slide_gap * length)) return;
+    if (!(dot(along, forwards) > slide_gap * length)) return;
     longest = length;
     best = {along, away};
   };
@@ -124,7 +126,7 @@ double gap_of_scene(const Moving<Sphere>& moving, double extent) {
 Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, double extent,
             int most_contacts) {
   const Vector& wish = moving.displacement;
-  const Vector forwards = wish.stableNormalized();
+  const Vector forwards = normalized(wish);
   const double gap = gap_of_scene(moving, extent);
 
   Slide path{{moving.shape.center}, {}, Ending::arrived};
@@ -137,10 +139,10 @@ Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, d
     path.contacts.back().time = elapsed + (1 - elapsed) * contact->time;
 
     // The gap is kept along the normal: at a shallow angle, a gap along the path would be next to none.
-    const double approach = std::max(0.0, -contact->normal.dot(step));  // by the whole step
-    const double distance = contact->time * approach;                   // of the sphere from the wall
+    const double approach = std::max(0.0, -dot(contact->normal, step));  // by the whole step
+    const double distance = contact->time * approach;                    // of the sphere from the wall
     const double share = distance > gap ? contact->time - gap / approach : 0;
-    if (share * step.stableNorm() > gap) {  // a new place, with walls of its own
+    if (share * norm(step) > gap) {  // a new place, with walls of its own
       sphere.center += share * step;
       path.positions.push_back(sphere.center);
       rest = (1 - share) * step;

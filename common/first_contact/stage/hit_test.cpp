@@ -37,13 +37,13 @@ int turn(const Side& side, const Point2& point) {
   const Point2 from = scale * side.from, to = scale * side.to, p = scale * point;
   const Point2 along = to - from, m = p - from;
   const double cross = along.x() * m.y() - along.y() * m.x();  // |along| times the distance from the line
-  return std::abs(cross) <= rounding({from, to}, p) * along.lpNorm<1>() ? 0 : cross > 0 ? 1 : -1;
+  return std::abs(cross) <= rounding({from, to}, p) * (std::abs(along.x()) + std::abs(along.y())) ? 0 : cross > 0 ? 1 : -1;
 }
 
 bool on(const Side& side, const Point2& p) {
   if (turn(side, p) != 0) return false;
   const Point2 margin = Point2::Constant(rounding(side, p));
-  return Rectangle(side.from.cwiseMin(side.to) - margin, side.from.cwiseMax(side.to) + margin).contains(p);
+  return Rectangle{side.from.cwiseMin(side.to) - margin, side.from.cwiseMax(side.to) + margin}.contains(p);
 }
 
 // Does the ray from p to the right cross a side that p is not on? Of the side's two ends the upper one does
@@ -64,10 +64,27 @@ bool meet(const Side& a, const Side& b) {
 
 }  // namespace
 
+void Rectangle::include(const Point2& point) {
+  low = low.cwiseMin(point);
+  high = high.cwiseMax(point);
+}
+
+bool Rectangle::contains(const Point2& point) const {
+  return (low.array() <= point.array()).all() && (point.array() <= high.array()).all();
+}
+
+Rectangle Rectangle::common(const Rectangle& other) const {
+  return {low.cwiseMax(other.low), high.cwiseMin(other.high)};
+}
+
 StageObject::StageObject(std::span<const Point2> outline, const Eigen::Affine2d& to_stage) {
+  const Eigen::Matrix3d& m = to_stage.matrix();
+  const auto stand = [&](const Point2& p) {
+    return Point2(m(0, 0) * p.x() + m(0, 1) * p.y() + m(0, 2), m(1, 0) * p.x() + m(1, 1) * p.y() + m(1, 2));
+  };
   for (const Point2& corner : outline) {
-    outline_.emplace_back(to_stage * corner);
-    box_.extend(outline_.back());
+    outline_.push_back(stand(corner));
+    box_.include(outline_.back());
     if (outline_.back().allFinite()) continue;
     std::ostringstream what;
     what << "outline's corner " << corner.x() << ", " << corner.y();
@@ -90,7 +107,7 @@ bool hit_test_point(const StageObject& object, const Point2& on_stage, bool shap
 
 //! [hit_test_object]
 bool hit_test_object(const StageObject& a, const StageObject& b) {
-  return a.bounding_box().intersects(b.bounding_box());
+  return !a.bounding_box().common(b.bounding_box()).empty();
 }
 //! [hit_test_object]
 

@@ -1,9 +1,11 @@
 #pragma once
-#include <Eigen/Geometry>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "first_contact/geometry/space.hpp"
 
 /// \file
 /// The hit tests of ActionScript 3 (paper, 1.1 and 2.4.1), from what its documents say of them: hitTestPoint,
@@ -21,9 +23,24 @@
 namespace first_contact {
 
 /// A point of the stage.
-using Point2 = Eigen::Vector2d;
-/// An upright rectangle of the stage.
-using Rectangle = Eigen::AlignedBox2d;
+using Point2 = Vector2;
+
+/// An upright rectangle of the stage, its sides included; at first of nothing.
+struct Rectangle {
+  /// Grows until it contains the point.
+  void include(const Point2& point);
+  /// Is the point in it?
+  bool contains(const Point2& point) const;
+  /// What it shares with another; of nothing if they are apart.
+  Rectangle common(const Rectangle& other) const;
+  /// Is it of nothing?
+  bool empty() const { return !(low.x() <= high.x() && low.y() <= high.y()); }
+
+  /// The corner with the smallest coordinates.
+  Point2 low = Point2::Constant(std::numeric_limits<double>::infinity());
+  /// The corner with the largest coordinates.
+  Point2 high = Point2::Constant(-std::numeric_limits<double>::infinity());
+};
 
 /// A flat object on a stage: a closed polygon, convex or not.
 class StageObject {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 
 namespace first_contact {
@@ -14,7 +15,7 @@ bool overlap(const Box& box, const Plane& plane) {
 ContactPoints lowest_vertices(const Box& box, const Vector& normal) {
   ContactPoints points = box.center;
   for (const Vector& axis : {box.r, box.s, box.t}) {
-    const double slope = axis.stableNormalized().dot(normal);
+    const double slope = dot(normalized(axis), normal);
     if (std::abs(slope) > parallel_tolerance) {
       points.colwise() -= std::copysign(0.5, slope) * axis;  // down this axis, whatever the others do
     } else if (!axis.isZero(0)) {  // level: both ends, so twice as many; mirrored, to go around a face

@@ -51,7 +51,7 @@ constexpr const char* to_string(Feature feature) {
 inline std::ostream& operator<<(std::ostream& out, Feature feature) { return out << to_string(feature); }
 
 /// The points of one contact, one a column: 1 as a rule; 2 or 4 when a box lands on an edge or a face.
-using ContactPoints = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 4>;
+using ContactPoints = Eigen::Matrix<double, 3, Eigen::Dynamic, unaligned, 3, 4>;
 
 /// One point as the points of a contact. (Made by its column: of a copy in one piece, g++ 12 for AVX-512 says
 /// that it reads eight numbers where there are three.)
@@ -75,7 +75,7 @@ struct Contact {
   std::size_t triangle = no_triangle;
 
   /// The one point of the contact; of an edge or a face, its middle.
-  Point point() const { return points.rowwise().mean(); }
+  Point point() const;
 };
 //! [contact]
 

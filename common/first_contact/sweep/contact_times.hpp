@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "first_contact/geometry/accurate_cross.hpp"
+#include "first_contact/geometry/products.hpp"
 
 /// \file
 /// When does a point w + t u come within d of the origin, and when does it leave? Twice the same quadratic
@@ -28,9 +29,9 @@ struct ContactTimes {
 ///
 /// Far away, (w.u)^2 and u^2 w^2 are huge and nearly equal: of their difference, only rounding errors remain.
 template <class Scalar>
-std::optional<ContactTimes<Scalar>> textbook_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
-                                                   Scalar d) {
-  const Scalar a = u.squaredNorm(), b = w.dot(u), c = w.squaredNorm() - d * d;
+EIGEN_ALWAYS_INLINE std::optional<ContactTimes<Scalar>> textbook_times(const Vector3<Scalar>& w,
+                                                                       const Vector3<Scalar>& u, Scalar d) {
+  const Scalar a = squared_norm(u), b = dot(w, u), c = squared_norm(w) - d * d;
   const Scalar discriminant = b * b - a * c;
   if (!(a > 0) || !(discriminant >= 0)) return std::nullopt;
   using std::sqrt;
@@ -45,8 +46,8 @@ std::optional<ContactTimes<Scalar>> textbook_times(const Vector3<Scalar>& w, con
 /// closest approach).
 /// \param moment w x u, the same for every w on the path.
 template <class Scalar>
-Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Scalar d) {
-  return u.squaredNorm() * (d * d) - moment.squaredNorm();
+EIGEN_ALWAYS_INLINE Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Scalar d) {
+  return squared_norm(u) * (d * d) - squared_norm(moment);
 }
 //! [discriminant]
 
@@ -57,10 +58,12 @@ Scalar discriminant(const Vector3<Scalar>& u, const Vector3<Scalar>& moment, Sca
 /// below is small then. Both are as exact as their terms.
 /// \param moment w x u, the same for every w on the path.
 template <class Scalar>
-std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
-                                                  const Vector3<Scalar>& moment, Scalar d) {
+EIGEN_ALWAYS_INLINE std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w,
+                                                                      const Vector3<Scalar>& u,
+                                                                      const Vector3<Scalar>& moment,
+                                                                      Scalar d) {
   using std::copysign, std::sqrt;
-  const Scalar a = u.squaredNorm(), b = w.dot(u), c = w.squaredNorm() - d * d;
+  const Scalar a = squared_norm(u), b = dot(w, u), c = squared_norm(w) - d * d;
   const Scalar D = discriminant(u, moment, d);
   if (!(a > 0) || !(D >= 0)) return std::nullopt;
   const Scalar sum = -b + copysign(sqrt(D), -b);    // not b's "sign" times the root: that of 0 must not be 0
@@ -72,8 +75,8 @@ std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, cons
 
 /// The same for a single w: its moment is w x u.
 template <class Scalar>
-std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w, const Vector3<Scalar>& u,
-                                                  Scalar d) {
+EIGEN_ALWAYS_INLINE std::optional<ContactTimes<Scalar>> contact_times(const Vector3<Scalar>& w,
+                                                                      const Vector3<Scalar>& u, Scalar d) {
   return contact_times(w, u, accurate_cross(w, u), d);
 }
 

@@ -3,27 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 //! [first_root]
 std::optional<Entry> first_root(const Vector& m, const Vector& v, double r, double tolerance) {
-  const double a = v.squaredNorm();
-  const double b = m.dot(v);
-  const double c = m.squaredNorm() - r * r;
-  if (m.isZero(0) && a > 0) return Entry{0, -v.normalized()};
-  if (!(b < 0)) return std::nullopt;            // leaving, sliding along, or at rest
-  if (c <= 0) return Entry{0, m.normalized()};  // inside already, and going deeper
+  const double a = squared_norm(v);
+  const double b = dot(m, v);
+  const double c = squared_norm(m) - r * r;
+  if (m.isZero(0) && a > 0) return Entry{0, -normalized(v)};
+  if (!(b < 0)) return std::nullopt;           // leaving, sliding along, or at rest
+  if (c <= 0) return Entry{0, normalized(m)};  // inside already, and going deeper
 
   const Vector moment = m.cross(v);  // |m x v| = |v| times the closest approach
   const double slack = a * tolerance * (2 * r + tolerance);
-  double discriminant = a * r * r - moment.squaredNorm();
+  double discriminant = a * r * r - squared_norm(moment);
   if (!(discriminant >= -slack)) return std::nullopt;
   const double t = discriminant < 0 ? -b / a : c / (-b + std::sqrt(discriminant));
   if (!(t <= 1)) return std::nullopt;
 
   // From the closest approach, go back along the path by half the chord.
   const Vector arrival = v.cross(moment) / a - std::sqrt(std::max(0.0, discriminant)) / a * v;
-  return Entry{t, (r > 0 ? arrival : Vector(-v)).normalized()};
+  return Entry{t, normalized(r > 0 ? arrival : Vector(-v))};
 }
 //! [first_root]
 

@@ -7,6 +7,7 @@
 
 #include "first_contact/geometry/line_triangle.hpp"
 #include "first_contact/geometry/mesh_edges.hpp"
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/sweep/first_root.hpp"
 
 namespace first_contact {
@@ -59,8 +60,8 @@ std::optional<double> landing(const Moving<Sphere>& moving, const Vector& low, c
   double enter = 0, leave = 1;
   const auto cut = [&](const Point& border, const Vector& inward) {
     const Vector from = moving.shape.center - border - low;
-    const double inside = inward.dot(from) + rounding_of_side * tolerance * inward.norm();
-    const double rate = inward.dot(moving.displacement);
+    const double inside = dot(inward, from) + rounding_of_side * tolerance * norm(inward);
+    const double rate = dot(inward, moving.displacement);
     if (rate > 0) enter = std::max(enter, -inside / rate);
     if (rate < 0) leave = std::min(leave, inside / -rate);
     if (rate == 0 && inside < 0) leave = -1;
@@ -87,16 +88,16 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   const auto& [center, radius] = moving.shape;
   if (facet.thin_for(radius)) return std::nullopt;  // its edges answer for it
   const Vector m = center - facet.corner;
-  const double height = facet.normal.dot(m);  // |n| times the distance from the plane
-  const double toward = facet.normal.dot(moving.displacement);
+  const double height = dot(facet.normal, m);  // |n| times the distance from the plane
+  const double toward = dot(facet.normal, moving.displacement);
   const double side = height != 0 ? std::copysign(1.0, height) : -std::copysign(1.0, toward);
   const double gap = std::abs(height) - radius * facet.length;  // |n| E'.S0
   const double approach = side * toward;                        // |n| N.V
   if (!(approach < 0) || !(gap <= -approach)) return std::nullopt;
 
   const double tolerance =
-      rounding_of_distance * (m.norm() + facet.longest + moving.displacement.norm() + radius);
-  const double straight = facet.length * moving.displacement.norm();  // -approach at a right angle
+      rounding_of_distance * (norm(m) + facet.longest + norm(moving.displacement) + radius);
+  const double straight = facet.length * norm(moving.displacement);  // -approach at a right angle
   const bool apart = gap > 0, flat = apart && is_flat(approach, straight, radius, tolerance);
   if (flat && radius == 0 && -approach <= within_plane * straight) return std::nullopt;
 
@@ -119,21 +120,21 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
 std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, const Point& b) {
   const auto& [center, radius] = moving.shape;
   const Vector e = b - a, m = center - a;
-  const double length = e.norm();
-  const double tolerance = rounding_of_distance * (m.norm() + length + moving.displacement.norm() + radius);
+  const double length = norm(e);
+  const double tolerance = rounding_of_distance * (norm(m) + length + norm(moving.displacement) + radius);
 
   // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
   const auto entry = first_root(e.cross(m), e.cross(moving.displacement), length * radius,
                                 length * rounding_of_graze * tolerance);
   if (!entry) return std::nullopt;
   const Vector arrival = m + entry->time * moving.displacement;
-  const double along = arrival.dot(e);
+  const double along = dot(arrival, e);
   const bool before_a = along < 0;
-  const bool behind_b = (arrival - e).dot(e) > 0;
+  const bool behind_b = dot(arrival - e, e) > 0;
   if (before_a || behind_b) return std::nullopt;  // not on this edge: its ends answer
 
-  const Vector normal = entry->direction.cross(e).normalized();
-  const double distance = entry->time > 0 ? radius : std::min(radius, e.cross(m).norm() / length);
+  const Vector normal = normalized(entry->direction.cross(e));
+  const double distance = entry->time > 0 ? radius : std::min(radius, norm(e.cross(m)) / length);
   return Touch{entry->time, distance, normal, a + along / (length * length) * e, Feature::edge, tolerance};
 }
 //! [touch_edge]
@@ -142,10 +143,10 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
 std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& vertex) {
   const auto& [center, radius] = moving.shape;
   const Vector m = center - vertex;
-  const double tolerance = rounding_of_distance * (m.norm() + moving.displacement.norm() + radius);
+  const double tolerance = rounding_of_distance * (norm(m) + norm(moving.displacement) + radius);
   const auto entry = first_root(m, moving.displacement, radius, rounding_of_graze * tolerance);
   if (!entry) return std::nullopt;
-  const double distance = entry->time > 0 ? radius : std::min(radius, m.norm());
+  const double distance = entry->time > 0 ? radius : std::min(radius, norm(m));
   return Touch{entry->time, distance, entry->direction, vertex, Feature::vertex, tolerance};
 }
 //! [touch_vertex]

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -15,7 +17,7 @@ double unnoticed_step(const Touch& touch) {
 
 /// Does the surface that leaves the touched point in this direction come nearer to the centre?
 bool nearer_along(const Touch& touch, const Vector& direction) {
-  return touch.distance * touch.normal.dot(direction) > unnoticed_step(touch) * direction.norm();
+  return touch.distance * dot(touch.normal, direction) > unnoticed_step(touch) * norm(direction);
 }
 
 /// Nearer than this many rounding errors, what is left of a distance has no direction of its own (the step
@@ -38,11 +40,11 @@ Verdict ask_faces(Touch& touch, std::span<const FaceAround> faces, const Moving<
   const Vector normal = touch.normal;
   double least = 2;
   for (const auto& [facet, inward] : faces) {
-    const double sine = normal.cross(facet->unit_normal()).norm();
+    const double sine = norm(normal.cross(facet->unit_normal()));
     if (facet->thin_for(moving.shape.radius) || !agree(touch, sine)) continue;
     if (verdict == Verdict::none_agrees) verdict = Verdict::sliding;
-    const double side = normal.dot(facet->normal) > 0 ? 1 : -1;
-    if (!(side * facet->normal.dot(moving.displacement) < 0) || sine >= least) continue;
+    const double side = dot(normal, facet->normal) > 0 ? 1 : -1;
+    if (!(side * dot(facet->normal, moving.displacement) < 0) || sine >= least) continue;
     verdict = Verdict::approached;
     least = sine;
     touch.normal = side * facet->unit_normal();
@@ -56,9 +58,9 @@ Verdict ask_edges(Touch& touch, std::span<const Vector> edges, const Moving<Sphe
   Verdict verdict = Verdict::none_agrees;
   const Vector m = moving.shape.center - touch.point;
   for (const Vector& e : edges) {
-    if (!agree(touch, std::abs(touch.normal.dot(e)) / e.norm())) continue;
+    if (!agree(touch, std::abs(dot(touch.normal, e)) / norm(e))) continue;
     touch.feature = Feature::edge;
-    if (e.cross(m).dot(e.cross(moving.displacement)) < 0) return Verdict::approached;
+    if (dot(e.cross(m), e.cross(moving.displacement)) < 0) return Verdict::approached;
     verdict = Verdict::sliding;
   }
   return verdict;

@@ -15,12 +15,12 @@ namespace first_contact {
 //! [plane_error]
 /// The lengths from which rounding comes: |S0| + |D| + r.
 inline double lengths_of(const Sphere& sphere, const Plane& plane) {
-  return sphere.center.norm() + std::abs(plane.offset()) + sphere.radius;
+  return norm(sphere.center) + std::abs(plane.offset()) + sphere.radius;
 }
 
 /// The same for a box, with half of its axes in place of the radius.
 inline double lengths_of(const Box& box, const Plane& plane) {
-  return box.center.norm() + std::abs(plane.offset()) + 0.5 * (box.r.norm() + box.s.norm() + box.t.norm());
+  return norm(box.center) + std::abs(plane.offset()) + 0.5 * (norm(box.r) + norm(box.s) + norm(box.t));
 }
 
 /// By how much the time t of a contact may be wrong: 8 eps (lengths + t |V|) / |N.V|.

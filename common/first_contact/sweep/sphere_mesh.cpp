@@ -120,7 +120,7 @@ std::size_t FirstTouch::lowest_triangle() const {
     for (const std::uint32_t face : environment_.topology().faces_at(vertex)) {
       if (face >= lowest) break;
       const Triangle& triangle = environment_.facet(face).triangle;
-      if ((closest_point(first_->point, triangle) - first_->point).norm() <= tolerance) lowest = face;
+      if (norm(closest_point(first_->point, triangle) - first_->point) <= tolerance) lowest = face;
     }
   return lowest;
 }

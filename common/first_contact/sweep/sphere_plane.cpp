@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 //! [overlap_sphere_plane]
@@ -15,7 +17,7 @@ bool overlap(const Sphere& sphere, const Plane& plane) {
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Plane& plane) {
   const auto& [center, radius] = moving.shape;
   const double distance = plane.signed_distance(center);  // E.S0
-  const double toward = plane.normal().dot(moving.displacement);
+  const double toward = dot(plane.normal(), moving.displacement);
 
   // A plane has two sides: work on the one where the centre is. A centre on the plane has none: against the
   // motion.

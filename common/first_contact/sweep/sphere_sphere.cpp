@@ -1,5 +1,11 @@
 #include "first_contact/sweep/sphere_sphere.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "first_contact/geometry/accurate_cross.hpp"
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -26,7 +32,7 @@ struct RelativeMotion {
 
   /// w + t u, rounded as if it had been computed exactly.
   Vector position(double t) const {
-    const Vector sum = u.rounded.binaryExpr(w.rounded, [t](double v, double p) { return std::fma(t, v, p); });
+    const Vector sum = u.rounded.binaryExpr(w.rounded, [t](double v, double p) { return fused(t, v, p); });
     return sum + (w.rest + t * u.rest);
   }
 
@@ -44,7 +50,7 @@ Vector normal_at_contact(const RelativeMotion& seen) {
   const Vector& u = seen.u.rounded;
   const double D = std::max(0.0, discriminant(u, seen.moment, seen.d));
   const Vector across = u.cross(seen.moment) - std::sqrt(D) * u;
-  return (is_zero(across) ? Vector(-u) : across).stableNormalized();  // two points: against the motion
+  return normalized(is_zero(across) ? Vector(-u) : across);  // two points: against the motion
 }
 
 /// The contact with its point, the paper's C = P(t) + r_P N; the paper's N points from P to Q, ours to P.
@@ -57,7 +63,7 @@ Contact contact(const Moving<Sphere>& p, double t, const Vector& normal) {
 
 bool overlap(const Sphere& p, const Sphere& q) {
   const double d = p.radius + q.radius;
-  return (p.center - q.center).squaredNorm() <= d * d;
+  return squared_norm(p.center - q.center) <= d * d;
 }
 
 std::optional<ContactTimes<double>> contact_interval(const Moving<Sphere>& p, const Moving<Sphere>& q) {
@@ -70,11 +76,11 @@ std::optional<Contact> sweep(const Moving<Sphere>& p, const Moving<Sphere>& q, c
   const RelativeMotion seen(p, q);
   const Vector& u = seen.u.rounded;
   const Vector w = seen.position(when.first);
-  if (is_zero(u)) return std::nullopt;                                   // at rest to each other
-  if (is_zero(w)) return contact(p, when.first, -u.stableNormalized());  // concentric: against the motion
-  if (!(w.dot(u) < 0)) return std::nullopt;                              // sliding along, or leaving
-  if (w.squaredNorm() <= seen.d * seen.d)                                // overlapping and going deeper: now
-    return contact(p, when.first, w.stableNormalized());
+  if (is_zero(u)) return std::nullopt;                            // at rest to each other
+  if (is_zero(w)) return contact(p, when.first, -normalized(u));  // concentric: against the motion
+  if (!(dot(w, u) < 0)) return std::nullopt;                      // sliding along, or leaving
+  if (squared_norm(w) <= seen.d * seen.d)                         // overlapping and going deeper: now
+    return contact(p, when.first, normalized(w));
 
   const auto times = contact_times(w, u, seen.moment, seen.d);  // counted from t_m
   if (!times) return std::nullopt;                              // passing each other

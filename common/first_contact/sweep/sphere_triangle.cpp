@@ -3,6 +3,7 @@
 #include <array>
 
 #include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/sweep/moved_out.hpp"
 #include "first_contact/sweep/nearest.hpp"
 
@@ -10,7 +11,7 @@ namespace first_contact {
 
 bool overlap(const Sphere& sphere, const Triangle& triangle) {
   const Point& s = sphere.center;  // differences first: they round less, far from the origin
-  return closest_point(Point::Zero(), triangle.a - s, triangle.b - s, triangle.c - s).squaredNorm() <=
+  return squared_norm(closest_point(Point::Zero(), triangle.a - s, triangle.b - s, triangle.c - s)) <=
          sphere.radius * sphere.radius;
 }
 

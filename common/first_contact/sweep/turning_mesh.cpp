@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/transform.hpp"
 #include "first_contact/geometry/triangle_distance.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 struct Ball {
   explicit Ball(const Triangle& t) : center((t.a + t.b + t.c) / 3) {
     radius = std::sqrt(
-        std::max({(t.a - center).squaredNorm(), (t.b - center).squaredNorm(), (t.c - center).squaredNorm()}));
+        std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)}));
   }
 
   Point center;
@@ -30,7 +31,7 @@ std::vector<Ball> balls_about(const Mesh& mesh) {
 // How far each triangle reaches from the axis: as far as its farthest corner.
 std::vector<double> reaches(const Turning<Mesh>& turning) {
   std::vector<double> reach;
-  const auto from_axis = [&](const Point& p) { return turning.axis.cross(p - turning.center).norm(); };
+  const auto from_axis = [&](const Point& p) { return norm(turning.axis.cross(p - turning.center)); };
   for (std::size_t i = 0; i < turning.shape.size(); ++i) {
     const Triangle t = turning.shape.triangle(i);
     reach.push_back(std::max({from_axis(t.a), from_axis(t.b), from_axis(t.c)}));
@@ -41,15 +42,15 @@ std::vector<double> reaches(const Turning<Mesh>& turning) {
 double scale_of(const Turning<Mesh>& turning, const Mesh& obstacle) {
   double largest = 0;
   for (const Mesh* mesh : {&turning.shape, &obstacle})
-    for (const Point& p : mesh->vertices()) largest = std::max(largest, (p - turning.center).norm());
+    for (const Point& p : mesh->vertices()) largest = std::max(largest, norm(p - turning.center));
   return largest;
 }
 
 Feature feature_at(const Point& p, const Triangle& t, double near) {
   for (const Point& corner : {t.a, t.b, t.c})
-    if ((p - corner).norm() <= near) return Feature::vertex;
+    if (norm(p - corner) <= near) return Feature::vertex;
   for (const auto& [from, to] : {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)})
-    if ((p - closest_point(p, from, to)).norm() <= near) return Feature::edge;
+    if (norm(p - closest_point(p, from, to)) <= near) return Feature::edge;
   return Feature::face;
 }
 
@@ -70,7 +71,7 @@ Advance safe_turn(const Mesh& mover, const std::vector<double>& reach, const Mes
     const Ball ball(triangle);
     for (std::size_t j = 0; j < obstacle.size(); ++j) {
       const Ball& other = obstacle_balls[j];
-      const double room = (ball.center - other.center).norm() - ball.radius - other.radius;
+      const double room = norm(ball.center - other.center) - ball.radius - other.radius;
       if (room > gap && room >= least.angle * reach[i]) continue;  // too far to matter
       const NearestPoints pair = nearest_points(triangle, obstacle.triangle(j));
       const double distance = pair.distance();
@@ -87,7 +88,7 @@ Contact contact_of(const Turning<Mesh>& turning, double time, const Advance& at,
   const auto& [mover, obstacle] = *at.touch;
   const Vector forwards = turning.angle * turning.axis.cross(mover - turning.center);
   const Vector normal = mover != obstacle ? Vector(mover - obstacle) : Vector(-forwards);
-  return {time, only(obstacle), normal.stableNormalized(), feature_at(obstacle, triangle, gap), at.triangle};
+  return {time, only(obstacle), normalized(normal), feature_at(obstacle, triangle, gap), at.triangle};
 }
 
 }  // namespace

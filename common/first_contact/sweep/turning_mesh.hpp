@@ -19,7 +19,7 @@ struct Turning {
   /// \param by  the angle at t = 1, in radians
   /// \throws std::invalid_argument if the direction is zero, or a value is not finite.
   Turning(Shape s, const Point& hinge, const Vector& direction, double by)
-      : shape(std::move(s)), center(hinge), axis(direction.stableNormalized()), angle(by) {
+      : shape(std::move(s)), center(hinge), axis(normalized(direction)), angle(by) {
     require_finite(center, "hinge");
     require_finite(direction, "axis");
     if (direction.isZero(0)) refuse("axis 0, 0, 0", "must not be zero");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/trees/ball_search.hpp"
 
 namespace first_contact {
@@ -12,7 +13,7 @@ BoxSearch::BoxSearch(const Bounds& box, const Bounds& scene)
 Sides BoxSearch::sides(const Plane& plane, const Passage& part) const {
   constexpr Passage never{1, 0};
   if (box_.isEmpty()) return {never, never};
-  const double effective_radius = 0.5 * box_.sizes().dot(plane.normal().cwiseAbs()) + margin_;
+  const double effective_radius = 0.5 * dot(box_.sizes(), plane.normal().cwiseAbs()) + margin_;
   const double distance = plane.signed_distance(middle_of(box_));  // E.Q
   return {distance < -effective_radius ? never : part, distance > effective_radius ? never : part};
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -136,7 +138,7 @@ void BoxTree::show(std::size_t node, Search& search, std::size_t depth) const {
   }
   const std::size_t a = here.first_child, b = a + 1;
   const Vector from_a_to_b = middle_of(nodes_[b].bounds) - middle_of(nodes_[a].bounds);
-  const bool a_first = search.heading().dot(from_a_to_b) >= 0;
+  const bool a_first = dot(search.heading(), from_a_to_b) >= 0;
   show(a_first ? a : b, search, depth + 1);
   show(a_first ? b : a, search, depth + 1);
 }

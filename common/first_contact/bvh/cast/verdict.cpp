@@ -8,6 +8,7 @@
 
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/mesh_edges.hpp"
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/sweep/nearest.hpp"
 
 namespace first_contact::bvh {
@@ -22,10 +23,10 @@ bool has(const Place& place, std::uint32_t vertex) {
 /// its normal right to much less than a millionth?
 bool clearly_thick(const Vector& u, const Vector& v, double radius) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  const double longest2 = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+  const double longest2 = std::max({squared_norm(u), squared_norm(v), squared_norm(v - u)});
   const double thin =
       std::max(1e-12 * longest2, 4 * eps * radius * std::sqrt(longest2));  // squares of its height
-  return u.cross(v).squaredNorm() > thin * longest2;
+  return squared_norm(u.cross(v)) > thin * longest2;
 }
 
 /// Does the point lie within the triangle's box, to the tolerance? Much quicker than the nearest point.
@@ -101,8 +102,8 @@ Verdict::Surroundings Verdict::surroundings(const Touch& touch, std::uint32_t fr
     for (const std::uint32_t corner : place.corner) {
       if (corner == from || corner == to) continue;
       const Vector way = position(corner) - position(from);
-      const double rise = touch.normal.dot(way);
-      const bool clear = rise * rise > sine * sine * std::max(edge.squaredNorm(), way.squaredNorm());
+      const double rise = dot(touch.normal, way);
+      const bool clear = rise * rise > sine * sine * std::max(squared_norm(edge), squared_norm(way));
       if (clear && rise > 0 && (from == to || clearly_thick(edge, way, moving_.shape.radius))) return true;
       all_away = all_away && clear && rise < 0;
     }
@@ -132,7 +133,7 @@ std::uint32_t Verdict::first_face(std::uint32_t from, std::uint32_t to) const {
 bool Verdict::is_seam(const std::vector<Facet>& facets, const std::vector<Vector>& along) const {
   const auto thin = [&](const Facet& facet) { return facet.thin_for(moving_.shape.radius); };
   if (facets.size() != 2 || thin(facets[0]) || thin(facets[1])) return false;
-  return kind_of(facets[0], facets[1], along[0], along[0].dot(along[1]) < 0) == EdgeKind::flat;
+  return kind_of(facets[0], facets[1], along[0], dot(along[0], along[1]) < 0) == EdgeKind::flat;
 }
 
 void Verdict::keep_edge(const Touch& touch, std::uint32_t from, std::uint32_t to) {
@@ -191,7 +192,7 @@ void Verdict::keep_vertex(const Touch& touch, std::uint32_t vertex) {
   std::vector<Vector> edges, directions;
   for (const std::uint32_t other : others) {
     edges.emplace_back(position(other) - position(vertex));
-    directions.emplace_back(edges.back().normalized());
+    directions.emplace_back(normalized(edges.back()));
   }
   const auto judged = among_edges(touch, edges, faces, moving_);
   if (!judged || (judged->feature == Feature::vertex && !edges.empty() && buried_by(directions))) return;
@@ -224,7 +225,7 @@ bool Verdict::reaches(const Place& place, double tolerance) const {
   if (u && v && w) return true;  // it has all of the feature
   const auto& [a, b, c] = place.corner;
   return (u || v || w) && in_box(first_->point, position(a), position(b), position(c), tolerance) &&
-         (closest_point(first_->point, surface_.triangle(place)) - first_->point).norm() <= tolerance;
+         norm(closest_point(first_->point, surface_.triangle(place)) - first_->point) <= tolerance;
 }
 
 /// The lowest number of the triangles around the touched feature that reach the touched point. As they reach
