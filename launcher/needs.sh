@@ -29,6 +29,8 @@ packages() {
     "debian browser") ! grep -qx 'ID=debian' "$os_release" || echo chromium ;;  # Ubuntu's is no package of apt-get's
     "debian bench") echo libbenchmark-dev libbullet-dev libfcl-dev libembree-dev ;;
     "debian coverage") echo gcovr ;;
+    "debian everywhere") echo clang lld g++-aarch64-linux-gnu qemu-user-static wasi-libc libc++-dev-wasm32 \
+        libclang-rt-dev-wasm32 ;;
     "debian format") echo git clang-format clang-tidy ;;
     "fedora course") echo gcc-c++ cmake ninja-build eigen3-devel highway-devel boost-devel cli11-devel json-devel catch-devel gnuplot \
         dejavu-serif-fonts dejavu-sans-fonts google-noto-sans-cjk-fonts ;;

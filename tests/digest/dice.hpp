@@ -9,9 +9,10 @@ namespace digest {
 using first_contact::Point;
 using first_contact::Vector;
 
-/// Random numbers that are the same on every machine: whole numbers (Steele, Lea and Flood's SplitMix64, 2014),
-/// divided by powers of two. The distributions of the standard library are each library's own affair, and the order
-/// of arguments each compiler's: what is asked for twice in one expression stands within braces, which keep it.
+/// Random numbers that are the same on every machine: whole numbers (Steele, Lea and Flood's SplitMix64,
+/// 2014), divided by powers of two. The distributions of the standard library are each library's own affair,
+/// and the order of arguments each compiler's: what is asked for twice in one expression stands within
+/// braces, which keep it.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed) {}

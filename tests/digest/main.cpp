@@ -1,5 +1,6 @@
-// The answers of every verb to questions that are made to be hard, as one number for each verb: the same on every
-// machine. `digest` prints them, `digest FILE` compares them with a file, `digest --show VERB` prints each answer.
+// The answers of every verb to questions that are made to be hard, as one number for each verb: the same on
+// every machine. `digest` prints them, `digest FILE` compares them with a file, `digest --show VERB` prints
+// each answer.
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>

@@ -6,8 +6,8 @@
 /// vector instructions and without. Eigen's own (dot, squaredNorm, sum, matrix times vector) add in the order
 /// that suits the processor they are compiled for.
 ///
-/// All of it is inlined where it is used, so that no linker can take what was compiled with a user's options for
-/// what the library was compiled with. A public header uses it in templates alone.
+/// All of it is inlined where it is used, so that no linker can take what was compiled with a user's options
+/// for what the library was compiled with. A public header uses it in templates alone.
 
 namespace first_contact {
 

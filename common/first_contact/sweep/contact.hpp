@@ -24,6 +24,11 @@
 /// - Surfaces have two sides unless the caller says otherwise.
 /// - No hit is ever missed for rounding. The error of t has a bound, stated with each sweep.
 /// - Bad shapes and motions are refused when they are made; a sweep itself never throws.
+/// - The same question has the same answer, to the last bit: wherever its numbers lie in memory, whatever the
+///   compiler, its optimization and its vector instructions, on x86-64, ARM64 and WebAssembly. Each sum is
+///   made in an order that is written down, and nothing is rounded but by IEEE 754's own operations. Meshes
+///   that turn are the exception: their sines are the C library's.
+/// \see tests/digest/, tests/unit/same_bits.cpp
 
 namespace first_contact {
 

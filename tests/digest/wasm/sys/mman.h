@@ -1,0 +1,2 @@
+#pragma once
+// WebAssembly has no pages to give advice on.
