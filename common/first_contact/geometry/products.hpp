@@ -18,7 +18,8 @@ EIGEN_ALWAYS_INLINE typename A::Scalar dot(const Eigen::MatrixBase<A>& first,
                                            const Eigen::MatrixBase<B>& second) {
   constexpr int size = A::SizeAtCompileTime;
   static_assert(size == B::SizeAtCompileTime && (size == 2 || size == 3 || size == 4));
-  const auto &a = first.eval(), &b = second.eval();
+  const auto& a = first.eval();
+  const auto& b = second.eval();
   if constexpr (size == 4) return (a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3]);
   if constexpr (size == 3) return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
   if constexpr (size == 2) return a[0] * b[0] + a[1] * b[1];
@@ -35,7 +36,8 @@ EIGEN_ALWAYS_INLINE typename A::Scalar squared_norm(const Eigen::MatrixBase<A>& 
 template <class M, class N>
 EIGEN_ALWAYS_INLINE typename N::PlainObject product(const Eigen::MatrixBase<M>& left,
                                                     const Eigen::MatrixBase<N>& right) {
-  const auto &m = left.eval(), &n = right.eval();
+  const auto& m = left.eval();
+  const auto& n = right.eval();
   typename N::PlainObject result;
   for (Eigen::Index j = 0; j < n.cols(); ++j) {
     result.col(j) = m.col(0) * n(0, j);
