@@ -22,7 +22,8 @@ void planes(Record& record) {
     record.add(wall.coefficients());
     record.add(wall.signed_distance(unit * dice.point()));
     record.add(wall.moved_out(unit * dice.length()).offset());
-    record.add(Plane::through(unit * dice.point(), unit * dice.vector()).coefficients());
+    const Point through = unit * dice.point();
+    record.add(Plane::through(through, unit * dice.vector()).coefficients());
   }
 }
 
@@ -42,8 +43,8 @@ void distances(Record& record) {
 
 Bounds bounds(Dice& dice, double unit) {
   Bounds box;
-  box.include(unit * dice.point());
-  box.include(unit * dice.point());
+  box.extend(Point(unit * dice.point()));
+  box.extend(Point(unit * dice.point()));
   return box;
 }
 
@@ -58,8 +59,8 @@ void boxes(Record& record) {
     if (const auto part = passage(mover.shape.center, mover.displacement, a))
       record.add(Vector2(part->enter, part->leave));
     const Bounds around = bounds_of(mover.shape, mover.displacement);
-    record.add(around.low);
-    record.add(around.high);
+    record.add(around.min());
+    record.add(around.max());
   }
 }
 
@@ -106,7 +107,8 @@ void bounding(Record& record) {
 void edges(Record& record) {
   Dice dice(35);
   for (int i = 0; i < cases / 100; ++i, record.next()) {
-    const Mesh mesh = ground(dice, dice.whole(1, 6), dice.scale());
+    const int n = dice.whole(1, 6);
+    const Mesh mesh = ground(dice, n, dice.scale());
     const MeshEdges topology(mesh);
     for (const MeshEdges::Edge& edge : topology.edges()) record.count(static_cast<std::size_t>(edge.kind));
     for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) record.add(topology.buried(v));

@@ -3,7 +3,7 @@
 // processor takes at once.
 //
 // Equal to: sphere_sphere.cpp, sphere_plane.cpp and box_plane.cpp, operation by operation, in the same order;
-// in the sums, the order in which Eigen adds. Each operation is rounded once, as IEEE 754 has it, whatever
+// in the sums, the order of products.hpp. Each operation is rounded once, as IEEE 754 has it, whatever
 // the processor: so the results are equal.
 //
 // This file is read once for each kind of processor. Left out are those that cannot multiply and add in one
@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "first_contact/batch/desk.hpp"
+#include "first_contact/geometry/fused.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "first_contact/batch/loops.cpp"
@@ -45,7 +46,7 @@ Number fused(D d, Number a, Number b, Number c) {
   StoreU(a, d, of_a);
   StoreU(b, d, of_b);
   StoreU(c, d, of_c);
-  for (std::size_t k = 0; k < Lanes(d); ++k) of_a[k] = std::fma(of_a[k], of_b[k], of_c[k]);
+  for (std::size_t k = 0; k < Lanes(d); ++k) of_a[k] = first_contact::fused(of_a[k], of_b[k], of_c[k]);
   return LoadU(d, of_a);
 #endif
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -12,7 +14,7 @@ Plane plane_of(const Homogeneous& e) { return {e.head<3>(), e.w()}; }
 // A plane goes by the inverse transpose; the frustum is the image of the cube under the inverse projection,
 // so that each face [N, 1] of the cube comes back by the transpose itself.
 Plane from_cube(const Transform& projection, double x, double y, double z) {
-  const Homogeneous e = projection.matrix().transpose() * Homogeneous(x, y, z, 1);
+  const Homogeneous e = product(projection.matrix().transpose(), Homogeneous(x, y, z, 1));
   return plane_of(e);
 }
 

@@ -6,6 +6,7 @@
 
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -14,28 +15,20 @@ namespace {
 // Between these no square that matters has left the range of ordinary numbers.
 bool is_ordinary(double square) { return square > 0x1p-900 && square < 0x1p900; }
 
-// The power of two by which the largest coordinate comes to [1, 2); the coordinates are changed exactly by
-// it.
-int exponent_of(const Vector& v) { return std::ilogb(v.cwiseAbs().maxCoeff()); }
-Vector scaled(const Vector& v, int exponent) {
-  return {std::ldexp(v.x(), exponent), std::ldexp(v.y(), exponent), std::ldexp(v.z(), exponent)};
-}
-
 }  // namespace
 
 double norm(const Vector& v) {
   const double square = squared_norm(v);
-  if (is_ordinary(square)) return std::sqrt(square);
-  if (!v.allFinite() || v.isZero(0)) return std::sqrt(square);
-  const int exponent = exponent_of(v);
-  return std::ldexp(std::sqrt(squared_norm(scaled(v, -exponent))), exponent);
+  if (is_ordinary(square) || !v.allFinite()) return std::sqrt(square);
+  const double unit = unit_scale(v.cwiseAbs().maxCoeff());
+  return std::sqrt(squared_norm(unit * v)) / unit;
 }
 
 Vector normalized(const Vector& v) {
   const double square = squared_norm(v);
   if (is_ordinary(square)) return v / std::sqrt(square);
   if (!v.allFinite() || v.isZero(0)) return v;
-  const Vector moderate = scaled(v, -exponent_of(v));
+  const Vector moderate = unit_scale(v.cwiseAbs().maxCoeff()) * v;
   return moderate / std::sqrt(squared_norm(moderate));
 }
 

@@ -66,12 +66,8 @@ Matrix inverse_of(Matrix rest) {
 }  // namespace
 
 double norm(const Quaternion& q) {
-  const double largest = q.coeffs().cwiseAbs().maxCoeff();
-  if (!(largest > 0) || !std::isfinite(largest)) return largest;
-  const int exponent = std::ilogb(largest);
-  Homogeneous scaled;
-  for (int i = 0; i < 4; ++i) scaled[i] = std::ldexp(q.coeffs()[i], -exponent);
-  return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
+  const double unit = unit_scale(q.coeffs().cwiseAbs().maxCoeff());
+  return std::sqrt(squared_norm(unit * q.coeffs())) / unit;
 }
 
 bool is_singular(const Matrix& m) {

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "first_contact/geometry/refuse.hpp"
-
 #include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
@@ -37,7 +36,9 @@ int turn(const Side& side, const Point2& point) {
   const Point2 from = scale * side.from, to = scale * side.to, p = scale * point;
   const Point2 along = to - from, m = p - from;
   const double cross = along.x() * m.y() - along.y() * m.x();  // |along| times the distance from the line
-  return std::abs(cross) <= rounding({from, to}, p) * (std::abs(along.x()) + std::abs(along.y())) ? 0 : cross > 0 ? 1 : -1;
+  return std::abs(cross) <= rounding({from, to}, p) * (std::abs(along.x()) + std::abs(along.y())) ? 0
+         : cross > 0                                                                              ? 1
+                                                                                                  : -1;
 }
 
 bool on(const Side& side, const Point2& p) {
