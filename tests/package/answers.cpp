@@ -22,6 +22,7 @@
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
 #include "first_contact/sweep/turning_mesh.hpp"
+#include "first_contact/trees/bsp_tree.hpp"
 #include "first_contact/trees/objects.hpp"
 #include "first_contact/trees/octree.hpp"
 #include "first_contact/trees/soup.hpp"
@@ -38,7 +39,7 @@ static_assert(of_doubles<Point>(3) && of_doubles<Vector2>(2) && of_doubles<Homog
 static_assert(of_doubles<Plane>(4) && of_doubles<Sphere>(4) && of_doubles<Box>(12) &&
               of_doubles<Triangle>(9));
 static_assert(of_doubles<Moving<Sphere>>(7) && of_doubles<Moving<Box>>(15) && of_doubles<Bounds>(6));
-static_assert(of_doubles<Transform>(32) && of_doubles<Rigid>(12) && of_doubles<Quaternion>(4) &&
+static_assert(of_doubles<Transform>(36) && of_doubles<Rigid>(12) && of_doubles<Quaternion>(4) &&
               of_doubles<Frustum>(24));
 static_assert(of_doubles<Rectangle>(4) && of_doubles<Body<2>>(3) && of_doubles<Impact<3>>(9));
 static_assert(alignof(Contact) == alignof(double) && alignof(Pose) == alignof(double));
