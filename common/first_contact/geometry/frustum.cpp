@@ -20,7 +20,8 @@ Plane from_cube(const Transform& projection, double x, double y, double z) {
 
 // E.Q < -reach, by more than rounding may be.
 bool behind(const Plane& e, const Point& q, double reach) {
-  const double rounding = rounding_of_rejection * (q.lpNorm<1>() + std::abs(e.offset()) + reach);
+  const double rounding = rounding_of_rejection * (std::abs(q.x()) + std::abs(q.y()) + std::abs(q.z()) +
+                                                   std::abs(e.offset()) + reach);
   return e.signed_distance(q) + reach < -rounding;
 }
 
