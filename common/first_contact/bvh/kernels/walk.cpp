@@ -2,6 +2,11 @@
 // vectors have no fixed length, those that differ little from one that is there, and AVX-512: of eight lanes
 // its masks take longer than AVX2's, and picking from sixteen at once slows down all else (a hop in 2,048
 // triangles: 252 ns, of AVX2 219).
+#if defined(__aarch64__)
+// Of ARM's one kind is left. So Highway need not ask the system for the kind at hand, and asks no more of the
+// compiler than its own flags do: GCC cannot make structs of vectors of a kind that is not theirs.
+#define TOOLCHAIN_MISS_SYS_AUXV_H
+#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "first_contact/bvh/kernels/walk.cpp"
 #define HWY_DISABLED_TARGETS \
