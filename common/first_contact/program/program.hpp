@@ -82,6 +82,7 @@ class Program {
   template <class Value>
   class Told {
    public:
+    /// What was told, and where else it may go.
     Told(Program& program, const Value& value) : program_(program), value_(value) {}
 
     /// Also a result of `--json`, at that place.
@@ -130,6 +131,7 @@ class Program {
   ///@}
   /// A list among the results that may stay empty; its items are "/impacts/0", "/impacts/1" and so on.
   void result_list(const std::string& place);
+  ///@{
   /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as
   /// JSON.
   void value(const std::string& name, double number);
@@ -138,6 +140,7 @@ class Program {
   void value(const std::string& name, Whole number) {
     value(name, static_cast<double>(number));
   }
+  ///@}
   /// The language of this run.
   Language language() const;
   /// Text in the language of this run.
