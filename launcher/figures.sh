@@ -49,7 +49,7 @@ figure_options() {
       --*) (($# > 1)) && [[ "$2" != --* ]] || { say "course: figures $1: must have a value"; exit 2; }
            value=$2; shift ;;
       *) figures_named "$1" >/dev/null || { say "course: figures $1: must be a chapter or a figure"; exit 2; }
-         names="$names $(figures_named "$1")"; shift; continue ;;
+         names="$names $(echo $(figures_named "$1"))"; shift; continue ;;
     esac
     shift
     own=yes

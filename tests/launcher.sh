@@ -64,6 +64,10 @@ check "a package that CMake misses is named, with what to install" says "$said" 
 
 check "a chapter by its program" [ "$(figures_named plane)" == 01_plane ]
 check "a figure by its name" [ "$(figures_named figure-13)" == 07_tween_bounce/figure-13 ]
+figure_options bunny figure-13
+check "figures of one name in two chapters, and another" [ "$names" == " 04_general_sphere/bunny 05_slide/bunny 07_tween_bounce/figure-13" ]
+check "the second of them is wanted" is_wanted build/drawn/05_slide/bunny.svg
+check "no other is" eval "! is_wanted build/drawn/05_slide/figure-10.svg"
 check "each figure that an essay shows has a caption" [ "$(captions | grep -c $'\t..*\t..*')" == "$(captions | wc -l)" ]
 check "no formula is left in a caption" silent_of "$(captions)" "\\"
 
