@@ -47,7 +47,7 @@ struct Nearby {
 void require_points(std::span<const Point> points) {
   if (points.empty()) refuse("bounding shape of no points", "there must be at least one");
   for (const Point& p : points)
-    if (!p.allFinite()) require_finite(p, "bounding shape's point");
+    if (!in_range(p)) require_finite(p, "bounding shape's point");
 }
 
 // The smallest box around the points with its sides along the columns of `axes`, which is a rotation.

@@ -6,6 +6,7 @@
 
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -89,11 +90,15 @@ bool overlap(const Bounds& a, const Bounds& b) {
 
 bool overlap(const Triangle& triangle, const Bounds& box) {
   if (!overlap(bounds_of(triangle), box)) return false;  // the box's own three directions
-  const Vector half = 0.5 * box.max() - 0.5 * box.min();
   const Point middle = middle_of(box);
-  const std::array<Vector, 3> corners{triangle.a - middle, triangle.b - middle, triangle.c - middle};
-  const std::array<Vector, 3> edges{triangle.b - triangle.a, triangle.c - triangle.b,
-                                    triangle.a - triangle.c};
+  Vector half = 0.5 * box.max() - 0.5 * box.min();
+  std::array<Vector, 3> corners{triangle.a - middle, triangle.b - middle, triangle.c - middle};
+  std::array<Vector, 3> edges{triangle.b - triangle.a, triangle.c - triangle.b, triangle.a - triangle.c};
+  if (const double size = std::max(largest(half), largest(corners[0], corners[1], corners[2]));
+      !is_ordinary(size)) {
+    half *= unit_scale(size);
+    for (std::size_t i = 0; i < 3; ++i) corners[i] *= unit_scale(size), edges[i] *= unit_scale(size);
+  }
   if (parts(edges[0].cross(edges[1]), corners, half)) return false;
   for (const Vector& edge : edges)
     for (int axis = 0; axis < 3; ++axis)

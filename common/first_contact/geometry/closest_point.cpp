@@ -5,11 +5,13 @@
 #include "first_contact/geometry/facet.hpp"
 #include "first_contact/geometry/line_triangle.hpp"
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
 Point closest_point(const Point& point, const Point& a, const Point& b) {
-  const Vector e = b - a;
+  Vector e = b - a;
+  if (!is_ordinary_square(squared_norm(e))) e *= unit_scale(largest(e));  // its length does not matter
   const double along = dot(point - a, e);
   if (!(along > 0)) return a;
   if (dot(point - b, e) >= 0) return b;
@@ -17,6 +19,9 @@ Point closest_point(const Point& point, const Point& a, const Point& b) {
 }
 
 Point closest_point(const Point& point, const Point& a, const Point& b, const Point& c) {
+  const double size = largest(a - point, b - point, c - point);
+  if (const double unit = unit_scale(size, largest(point)); !is_ordinary(size) && is_ordinary(unit * size))
+    return closest_point(unit * point, unit * a, unit * b, unit * c) / unit;
   Point best = closest_point(point, a, b);
   const auto offer = [&](const Point& candidate) {
     if (squared_norm(candidate - point) < squared_norm(best - point)) best = candidate;

@@ -6,6 +6,7 @@
 
 #include "first_contact/geometry/accurate_cross.hpp"
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -20,7 +21,12 @@ constexpr double thin = 1 / 16.0;
 }  // namespace
 
 CornerNormal::CornerNormal(const Point& a, const Point& b, const Point& c) {
-  const Vector ab = b - a, bc = c - b, ca = a - c;
+  Vector ab = b - a, bc = c - b, ca = a - c;
+  const double size = largest(ab, bc, ca);
+  if (!is_ordinary(size)) {
+    unit = unit_scale(size);
+    ab *= unit, bc *= unit, ca *= unit;
+  }
   const double ab2 = squared_norm(ab), bc2 = squared_norm(bc), ca2 = squared_norm(ca);
   const double longest2 = std::max({ab2, bc2, ca2});
   longest = std::sqrt(longest2);
@@ -41,7 +47,7 @@ bool Facet::thin_for(double radius) const {
   // the second eps l / 4: with the edges for thinner triangles and the face for thicker ones, no triangle
   // errs by more than eps l.
   constexpr double eps = std::numeric_limits<double>::epsilon();
-  return !(2 * eps * radius * (longest * longest * longest) < length * length);
+  return !(2 * eps * (unit * radius) * (longest * longest * longest) < length * length);
 }
 
 }  // namespace first_contact

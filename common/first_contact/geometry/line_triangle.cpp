@@ -1,5 +1,7 @@
 #include "first_contact/geometry/line_triangle.hpp"
 
+#include "first_contact/geometry/unit_scale.hpp"
+
 namespace first_contact {
 
 namespace {
@@ -26,6 +28,9 @@ std::optional<Vector> weights_where_line_meets(const Vector& direction, const Ve
   const Vector areas(area(q, r), area(r, p), area(p, q));
   const bool inside = (areas.array() >= 0).all() || (areas.array() <= 0).all();
   const double sum = areas.x() + areas.y() + areas.z();
+  if (!is_ordinary_square(sum))
+    if (const double size = largest(a, b, c), unit = unit_scale(size); !is_ordinary(size) && size > 0)
+      return weights_where_line_meets(direction, unit * a, unit * b, unit * c);
   if (!inside || sum == 0) return std::nullopt;
   return areas / sum;
 }

@@ -10,7 +10,7 @@ namespace first_contact {
 Mesh::Mesh(std::vector<Point> vertices, std::vector<Face> faces)
     : vertices_(std::move(vertices)), faces_(std::move(faces)) {
   for (std::size_t i = 0; i < vertices_.size(); ++i)
-    if (!vertices_[i].allFinite()) require_finite(vertices_[i], "mesh's vertex " + std::to_string(i));
+    if (!in_range(vertices_[i])) require_finite(vertices_[i], "mesh's vertex " + std::to_string(i));
   for (std::size_t i = 0; i < faces_.size(); ++i)
     for (const std::uint32_t vertex : faces_[i])
       if (vertex >= vertices_.size())

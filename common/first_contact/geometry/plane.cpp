@@ -5,20 +5,24 @@
 
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
 //! [plane]
 Plane::Plane(const Vector& normal, double offset) {
-  const double length = norm(normal);
-  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset / length)) {
+  const double unit = is_ordinary(largest(normal)) ? 1 : unit_scale(largest(normal));
+  const Vector n = unit * normal;
+  const double length = norm(n), distance = unit * offset / length;
+  if (!(length > 0) || !std::isfinite(length) || !(std::abs(distance) <= 2 * largest_length)) {
     std::ostringstream plane;
     plane << "plane [" << to_text(normal) << ", " << offset << "]";
-    refuse(plane.str(),
-           "the normal must be finite and not zero, and the offset, divided by its length, finite");
+    refuse(
+        plane.str(),
+        "the normal must be finite and not zero, and the offset, divided by its length, finite and at most "
+        "2.1e301 (2^1001)");
   }
-  const Vector unit = normal / length;
-  coefficients_ = {unit.x(), unit.y(), unit.z(), offset / length};
+  coefficients_ = {n.x() / length, n.y() / length, n.z() / length, distance};
 }
 //! [plane]
 

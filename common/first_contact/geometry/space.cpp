@@ -10,25 +10,18 @@
 
 namespace first_contact {
 
-namespace {
-
-// Between these no square that matters has left the range of ordinary numbers.
-bool is_ordinary(double square) { return square > 0x1p-900 && square < 0x1p900; }
-
-}  // namespace
-
 double norm(const Vector& v) {
   const double square = squared_norm(v);
-  if (is_ordinary(square) || !v.allFinite()) return std::sqrt(square);
-  const double unit = unit_scale(v.cwiseAbs().maxCoeff());
+  if (is_ordinary_square(square) || !v.allFinite()) return std::sqrt(square);
+  const double unit = unit_scale(largest(v));
   return std::sqrt(squared_norm(unit * v)) / unit;
 }
 
 Vector normalized(const Vector& v) {
   const double square = squared_norm(v);
-  if (is_ordinary(square)) return v / std::sqrt(square);
+  if (is_ordinary_square(square)) return v / std::sqrt(square);
   if (!v.allFinite() || v.isZero(0)) return v;
-  const Vector moderate = unit_scale(v.cwiseAbs().maxCoeff()) * v;
+  const Vector moderate = unit_scale(largest(v)) * v;
   return moderate / std::sqrt(squared_norm(moderate));
 }
 
@@ -40,11 +33,12 @@ double lerp(double a, double b, double t) {
 }
 
 void require_finite(const Vector& value, const std::string& what) {
-  if (!value.allFinite()) refuse(what + " " + to_text(value), "must be finite");
+  if (!in_range(value)) refuse(what + " " + to_text(value), "must be finite, and at most 1.07e301 (2^1000)");
 }
 
 void require_length(double value, const std::string& what) {
-  if (!std::isfinite(value) || value < 0) refuse(what, value, "must be finite and not negative");
+  if (!(value >= 0 && value <= largest_length))
+    refuse(what, value, "must be finite and not negative, and at most 1.07e301 (2^1000)");
 }
 
 std::string to_text(const Vector& value) {

@@ -59,10 +59,17 @@ Vector normalized(const Vector& v);
 /// (std::lerp says as much, but not which number.)
 double lerp(double a, double b, double t);
 
-/// Refuses a vector with a coordinate that is infinite or not a number.
+/// No coordinate, radius or displacement may be larger: then no sum of a few of them overflows.
+/// \see contact.hpp
+inline constexpr double largest_length = 0x1p1000;  // 1.07e301
+
+/// Is every coordinate a number, and none larger than `largest_length`?
+inline bool in_range(const Vector& v) { return (v.array().abs() <= largest_length).all(); }
+
+/// Refuses a vector with a coordinate that is infinite, not a number, or larger than `largest_length`.
 /// \throws std::invalid_argument that names `what`, its value and the rule.
 void require_finite(const Vector& value, const std::string& what);
-/// Refuses a length that is negative, infinite or not a number.
+/// Refuses a length that is negative, infinite, not a number, or larger than `largest_length`.
 /// \throws std::invalid_argument that names `what`, its value and the rule.
 void require_length(double value, const std::string& what);
 

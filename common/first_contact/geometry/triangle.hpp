@@ -6,9 +6,9 @@ namespace first_contact {
 /// The triangle a b c; seen from the side of its normal its corners go round anticlockwise. It may be
 /// degenerate.
 struct Triangle {
-  /// \throws std::invalid_argument if a corner is not finite.
+  /// \throws std::invalid_argument if a corner is not finite, or beyond `largest_length`.
   Triangle(const Point& p, const Point& q, const Point& r) : a(p), b(q), c(r) {
-    if ((a + b + c).allFinite())
+    if (in_range(a) && in_range(b) && in_range(c))
       return;  // the usual case, in no time: the names below are made for nothing otherwise
     require_finite(a, "triangle's corner a");
     require_finite(b, "triangle's corner b");

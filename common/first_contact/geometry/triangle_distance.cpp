@@ -5,6 +5,7 @@
 
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 namespace {
@@ -31,12 +32,26 @@ void offer_face(NearestPoints& best, const std::array<Point, 3>& corners, const 
   }
 }
 
+// The same question in a unit in which all six points, as seen from the first, are of ordinary size.
+template <class Ask>
+NearestPoints in_unit(double unit, const Ask& ask) {
+  const NearestPoints pair = ask(unit);
+  return {pair.first / unit, pair.second / unit};
+}
+
+double unit_of(double size, const Point& at) {
+  const double unit = is_ordinary(size) ? 1 : unit_scale(size, largest(at));
+  return is_ordinary(unit * size) ? unit : 1;
+}
+
 }  // namespace
 
 double NearestPoints::distance() const { return norm(second - first); }
 
 //! [nearest_of_segments]
 NearestPoints nearest_points(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (const double unit = unit_of(largest(b - a, c - a, d - a), a); unit != 1)
+    return in_unit(unit, [&](double s) { return nearest_points(s * a, s * b, s * c, s * d); });
   NearestPoints best{a, closest_point(a, c, d)};
   keep_nearer(best, {b, closest_point(b, c, d)});
   keep_nearer(best, {closest_point(c, a, b), c});
@@ -51,6 +66,13 @@ NearestPoints nearest_points(const Point& a, const Point& b, const Point& c, con
 
 //! [nearest_of_triangles]
 NearestPoints nearest_points(const Triangle& first, const Triangle& second) {
+  const Point& a = first.a;
+  const double size =
+      std::max(largest(first.b - a, first.c - a, second.a - a), largest(second.b - a, second.c - a, a - a));
+  if (const double unit = unit_of(size, a); unit != 1)
+    return in_unit(unit, [&](double s) {
+      return nearest_points({s * a, s * first.b, s * first.c}, {s * second.a, s * second.b, s * second.c});
+    });
   const std::array<Point, 3> p{first.a, first.b, first.c}, q{second.a, second.b, second.c};
   NearestPoints best{p[0], q[0]};
   for (std::size_t i = 0; i < 3; ++i)

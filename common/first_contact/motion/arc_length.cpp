@@ -32,12 +32,9 @@ double gauss_sum(const Function& speed, double from, double to) {
 // In a unit in which no square leaves the range of double. Where coordinates are next to the largest double,
 // they are made smaller first: dC/du is longer than they are, by the degree.
 std::pair<Curve, double> hodograph_in_unit(const Curve& curve) {
-  double largest = 0, fastest = 0;
-  for (const Point& p : control_points(curve)) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  const double before = largest > 0x1p900 ? 0x1p-100 : 1;
+  const double before = largest_coordinate(curve) > 0x1p900 ? 0x1p-100 : 1;
   const Curve slope = derivative(scaled(curve, before));
-  for (const Vector& v : control_points(slope)) fastest = std::max(fastest, v.cwiseAbs().maxCoeff());
-  const double after = unit_scale(fastest);
+  const double after = unit_scale(largest_coordinate(slope));
   return {scaled(slope, after), 1 / after / before};
 }
 

@@ -192,6 +192,12 @@ std::vector<double> breaks(const Curve& curve) {
   return spline ? spline->breaks() : std::vector<double>{0, 1};
 }
 
+double largest_coordinate(const Curve& curve) {
+  double largest = 0;
+  for (const Point& p : control_points(curve)) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest;
+}
+
 double longest_control_vector(const Curve& hodograph) {
   double longest = 0;
   for (const Vector& v : control_points(hodograph)) longest = std::max(longest, norm(v));

@@ -99,6 +99,9 @@ Curve scaled(const Curve& curve, double factor);
 /// The curve, from each of its `breaks` to the next, as Bezier curves.
 std::vector<Bezier> bezier_pieces(const Curve& curve);
 
+/// The largest coordinate of a control point, without its sign.
+double largest_coordinate(const Curve& curve);
+
 /// No longer than this is any vector of the curve's hodograph: the curve stays in the hull of its control
 /// points.
 double longest_control_vector(const Curve& hodograph);

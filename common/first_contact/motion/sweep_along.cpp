@@ -14,12 +14,13 @@ constexpr double most_chords = 1e7;
 std::vector<double> chords(const Curve& curve, double deviation) {
   if (!(deviation > 0) || !std::isfinite(deviation))
     refuse("sweep's deviation", deviation, "must be finite and greater than zero");
-  const double bend = longest_control_vector(derivative(derivative(curve)));
+  const double unit = largest_coordinate(curve) > 0x1p900 ? 0x1p-100 : 1;  // C'' is longer, by the degree
+  const double bend = longest_control_vector(derivative(derivative(scaled(curve, unit))));
   const std::vector<double> joints = breaks(curve);
   std::vector<double> u{0};
   for (std::size_t i = 1; i < joints.size(); ++i) {
     const double span = joints[i] - joints[i - 1];
-    const double needed = std::max(1.0, std::ceil(span * std::sqrt(bend / deviation / 8)));
+    const double needed = std::max(1.0, std::ceil(span * std::sqrt(bend / (unit * deviation) / 8)));
     if (!(static_cast<double>(u.size()) + needed <= most_chords))
       refuse("sweep's deviation", deviation, "too small for this curve");
     const auto count = static_cast<std::size_t>(needed);

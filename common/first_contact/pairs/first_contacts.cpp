@@ -53,7 +53,7 @@ double length_of_pieces(Spheres spheres) {
 // Where the sphere is from time k / n to (k + 1) / n.
 SpaceTimeBox piece(const Moving<Sphere>& sphere, std::size_t owner, double k, double n) {
   const auto& [center, radius] = sphere.shape;
-  const double margin = box_margin * (center.cwiseAbs().maxCoeff() + travel(sphere) + radius);
+  const double margin = box_margin * (center.cwiseAbs().maxCoeff() + travel(sphere) + radius) + 0x1p-1070;
   const Point begin = center + k / n * sphere.displacement, end = center + (k + 1) / n * sphere.displacement;
   SpaceTimeBox box;
   box.low << begin.cwiseMin(end).array() - (radius + margin), k / n;

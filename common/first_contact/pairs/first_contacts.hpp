@@ -38,8 +38,6 @@ std::vector<PairContact> first_contacts_one_by_one(std::span<const Moving<Sphere
 /// its motion is cut into pieces, each with its place and its time. Pairs of pieces are found by
 /// show_overlaps(); those spheres are swept. A contact counts in the pieces in which it happens: so each is
 /// found once, in however many pieces two spheres come near each other.
-///
-/// Lengths must be ordinary, from 1e-70 to 1e70, as for the sweep itself.
 std::vector<PairContact> first_contacts(std::span<const Moving<Sphere>> spheres,
                                         PairStatistics* counted = nullptr);
 
@@ -54,7 +52,8 @@ std::optional<PairContact> earliest_contact(std::span<const Moving<Sphere>> sphe
 /// sphere_sphere.hpp states moves P along its path by e = 8 eps (|w| + d^2 / h), and that raises the distance
 /// by h e / d + e^2 / 2d, or less. With |w| at most sqrt(3) times the sum of the largest coordinates, that is
 /// 14 eps |S| + 24 eps r + 2 eps |V| for each of the two spheres; the rounding of the box takes 2 eps more of
-/// each; and the next power of two is taken.
+/// each; and the next power of two is taken. (To which some smallest doubles are added, for scenes that are hardly
+/// larger.)
 ///
 /// \see tests/property/first_contacts.cpp
 inline constexpr double box_margin = 32 * std::numeric_limits<double>::epsilon();

@@ -12,6 +12,11 @@
 ///
 /// The contract of every sweep:
 /// - Motion is S(t) = S0 + t V for t in [0, 1]; lengths are in one unit of the caller's choice.
+/// - Coordinates, radii and displacements are at most 2^1000 = 1.07e301 in size: larger ones are refused when a
+///   shape or a motion is made. They may be as small as one likes, if the largest in a question is at least
+///   2^-900 = 1e-271, for doubles below 2^-1022 have lost digits of their own. A scene multiplied by a power of
+///   two has the same answer: the time to the last bit, the point multiplied by it. What is smaller than the
+///   largest length by more than 2^80 may count as 0, unless it is said otherwise.
 /// - Apart at 0: the first t in [0, 1] at which the distance is 0, or nothing.
 /// - Touching at 0: a contact at t = 0 if approaching (V.N < 0), nothing if sliding along or leaving.
 /// - Overlapping at 0: a contact at t = 0 if going deeper, nothing if leaving (so that one can get out).
@@ -21,8 +26,10 @@
 /// - No motion: nothing. `overlap(a, b)` answers the static question. A sphere of radius 0 is a point.
 /// - The smallest t wins; of equal t, the face before the edge before the vertex, as the paper orders its
 ///   tests (2.1).
-/// - Surfaces have two sides unless the caller says otherwise.
-/// - No hit is ever missed for rounding. The error of t has a bound, stated with each sweep.
+/// - Surfaces have two sides.
+/// - No hit is missed by more than rounding: what goes deeper than the bound of error that is stated with each
+///   sweep is hit, what stays farther away is not, and at seams between faces, edges and vertices nothing gets
+///   through. The error of t has a bound, stated there too.
 /// - Bad shapes and motions are refused when they are made; a sweep itself never throws.
 /// - The same question has the same answer, to the last bit: wherever its numbers lie in memory, whatever the
 ///   compiler, its optimization and its vector instructions, on x86-64, ARM64 and WebAssembly. Each sum is
@@ -35,7 +42,7 @@ namespace first_contact {
 /// A shape at t = 0 and its displacement V over t in [0, 1].
 template <class Shape>
 struct Moving {
-  /// \throws std::invalid_argument if the displacement is not finite.
+  /// \throws std::invalid_argument if the displacement is not finite, or longer than `largest_length`.
   Moving(Shape s, const Vector& v) : shape(std::move(s)), displacement(v) {
     require_finite(displacement, "displacement");
   }

@@ -8,6 +8,7 @@
 #include "first_contact/geometry/line_triangle.hpp"
 #include "first_contact/geometry/mesh_edges.hpp"
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 #include "first_contact/sweep/first_root.hpp"
 
 namespace first_contact {
@@ -34,6 +35,27 @@ constexpr double rounding_of_graze = 8.0 / 16;
 /// through.
 /// \see tests/oracle/verify.cpp
 constexpr double within_plane = rounding_of_distance;
+
+/// The largest of the lengths that a touch of a feature consists of; m is the way to the centre from the
+/// feature's corner.
+double size_of(const Moving<Sphere>& moving, const Vector& m, double feature) {
+  return std::max({largest(m), feature, largest(moving.displacement), moving.shape.radius});
+}
+
+/// The same question in a unit in which the size is ordinary. If there is none, nothing moves, or by less than
+/// 2^-900 of the centre's own coordinates.
+template <class Ask>
+std::optional<Touch> in_unit(const Moving<Sphere>& moving, double size, const Ask& ask) {
+  const double unit = unit_scale(size, largest(moving.shape.center));
+  if (!is_ordinary(unit * size)) return std::nullopt;
+  const auto& [sphere, displacement] = moving;
+  auto touch = ask({{unit * sphere.center, unit * sphere.radius}, unit * displacement}, unit);
+  if (!touch) return std::nullopt;
+  touch->distance /= unit;
+  touch->point /= unit;
+  touch->tolerance /= unit;
+  return touch;
+}
 
 /// Does the path of a point, or a line through it, meet the face? The point is `low` below the centre.
 bool meets(const Facet& facet, const Point& center, const Vector& low, const Vector& direction) {
@@ -88,6 +110,12 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   const auto& [center, radius] = moving.shape;
   if (facet.thin_for(radius)) return std::nullopt;  // its edges answer for it
   const Vector m = center - facet.corner;
+  const double size = size_of(moving, m, facet.longest / facet.unit);
+  if (!is_ordinary(size))
+    return in_unit(moving, size, [&](const Moving<Sphere>& scaled, double unit) {
+      const auto& [a, b, c] = facet.triangle;
+      return touch_face(scaled, Facet({unit * a, unit * b, unit * c}), surely_within);
+    });
   const double height = dot(facet.normal, m);  // |n| times the distance from the plane
   const double toward = dot(facet.normal, moving.displacement);
   const double side = height != 0 ? std::copysign(1.0, height) : -std::copysign(1.0, toward);
@@ -96,7 +124,7 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   if (!(approach < 0) || !(gap <= -approach)) return std::nullopt;
 
   const double tolerance =
-      rounding_of_distance * (norm(m) + facet.longest + norm(moving.displacement) + radius);
+      rounding_of_distance * (norm(m) + facet.longest / facet.unit + norm(moving.displacement) + radius);
   const double straight = facet.length * norm(moving.displacement);  // -approach at a right angle
   const bool apart = gap > 0, flat = apart && is_flat(approach, straight, radius, tolerance);
   if (flat && radius == 0 && -approach <= within_plane * straight) return std::nullopt;
@@ -120,8 +148,12 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
 std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, const Point& b) {
   const auto& [center, radius] = moving.shape;
   const Vector e = b - a, m = center - a;
-  const double length = norm(e);
-  const double tolerance = rounding_of_distance * (norm(m) + length + norm(moving.displacement) + radius);
+  const double length = norm(e), size = norm(m) + length + norm(moving.displacement) + radius;
+  if (!is_ordinary(size))
+    return in_unit(moving, size, [&](const Moving<Sphere>& scaled, double unit) {
+      return touch_edge(scaled, unit * a, unit * b);
+    });
+  const double tolerance = rounding_of_distance * size;
 
   // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
   const auto entry = first_root(e.cross(m), e.cross(moving.displacement), length * radius,
@@ -143,7 +175,12 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
 std::optional<Touch> touch_vertex(const Moving<Sphere>& moving, const Point& vertex) {
   const auto& [center, radius] = moving.shape;
   const Vector m = center - vertex;
-  const double tolerance = rounding_of_distance * (norm(m) + norm(moving.displacement) + radius);
+  const double size = norm(m) + norm(moving.displacement) + radius;
+  if (!is_ordinary(size))
+    return in_unit(moving, size, [&](const Moving<Sphere>& scaled, double unit) {
+      return touch_vertex(scaled, unit * vertex);
+    });
+  const double tolerance = rounding_of_distance * size;
   const auto entry = first_root(m, moving.displacement, radius, rounding_of_graze * tolerance);
   if (!entry) return std::nullopt;
   const double distance = entry->time > 0 ? radius : std::min(radius, norm(m));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -12,12 +13,19 @@ namespace {
 /// How far a point may go along a tangent of the sphere before it is a rounding error away from it: a step s
 /// leads from distance d to sqrt(d^2 + s^2) <= d + tolerance.
 double unnoticed_step(const Touch& touch) {
-  return std::sqrt(touch.tolerance * (2 * touch.distance + touch.tolerance));
+  const double square = touch.tolerance * (2 * touch.distance + touch.tolerance);
+  if (is_ordinary_square(square)) return std::sqrt(square);
+  const double unit = unit_scale(touch.distance + touch.tolerance);
+  return std::sqrt(unit * touch.tolerance * (unit * (2 * touch.distance + touch.tolerance))) / unit;
 }
 
 /// Does the surface that leaves the touched point in this direction come nearer to the centre?
 bool nearer_along(const Touch& touch, const Vector& direction) {
-  return touch.distance * dot(touch.normal, direction) > unnoticed_step(touch) * norm(direction);
+  const double step = unnoticed_step(touch), unnoticed = step * norm(direction);
+  if (is_ordinary_square(unnoticed)) return touch.distance * dot(touch.normal, direction) > unnoticed;
+  const double unit = unit_scale(touch.distance + step);
+  const Vector way = unit_scale(largest(direction)) * direction;
+  return unit * touch.distance * dot(touch.normal, way) > unit * step * norm(way);
 }
 
 /// Nearer than this many rounding errors, what is left of a distance has no direction of its own (the step
@@ -53,6 +61,14 @@ Verdict ask_faces(Touch& touch, std::span<const FaceAround> faces, const Moving<
   return verdict;
 }
 
+/// Is a turn about e from m towards V one away from m? Only the three directions matter.
+bool turns_back(const Vector& e, const Vector& m, const Vector& v) {
+  const double turn = dot(e.cross(m), e.cross(v));
+  if (is_ordinary_square(turn)) return turn < 0;
+  const Vector axis = unit_scale(largest(e)) * e;
+  return dot(axis.cross(unit_scale(largest(m)) * m), axis.cross(unit_scale(largest(v)) * v)) < 0;
+}
+
 /// Turns the touch of a vertex into that of an edge which is at a right angle to its normal.
 Verdict ask_edges(Touch& touch, std::span<const Vector> edges, const Moving<Sphere>& moving) {
   Verdict verdict = Verdict::none_agrees;
@@ -60,7 +76,7 @@ Verdict ask_edges(Touch& touch, std::span<const Vector> edges, const Moving<Sphe
   for (const Vector& e : edges) {
     if (!agree(touch, std::abs(dot(touch.normal, e)) / norm(e))) continue;
     touch.feature = Feature::edge;
-    if (dot(e.cross(m), e.cross(moving.displacement)) < 0) return Verdict::approached;
+    if (turns_back(e, m, moving.displacement)) return Verdict::approached;
     verdict = Verdict::sliding;
   }
   return verdict;

@@ -15,8 +15,7 @@ bool overlap(const Sphere& p, const Sphere& q);
 ///
 /// Error of each time: at most 8 eps (|w| + d^2 / h) / |u|, where h^2 = d^2 - |w x u|^2 / u^2; h is half the
 /// way that P goes inside a sphere of radius d about Q. Spheres that come nearer than d (1 - 8 eps) are
-/// always found to touch, and those that stay beyond d (1 + 8 eps) never, however far away they start. That
-/// is for lengths whose fourth powers are ordinary numbers: from 1e-70 to 1e70.
+/// always found to touch, and those that stay beyond d (1 + 8 eps) never, however far away they start.
 std::optional<ContactTimes<double>> contact_interval(const Moving<Sphere>& p, const Moving<Sphere>& q);
 
 /// First contact of a moving sphere p with a moving sphere q, the obstacle (paper, 2.3), within an interval

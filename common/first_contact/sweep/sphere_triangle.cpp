@@ -1,9 +1,10 @@
 #include "first_contact/sweep/sphere_triangle.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "first_contact/geometry/closest_point.hpp"
-#include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 #include "first_contact/sweep/moved_out.hpp"
 #include "first_contact/sweep/nearest.hpp"
 
@@ -11,8 +12,10 @@ namespace first_contact {
 
 bool overlap(const Sphere& sphere, const Triangle& triangle) {
   const Point& s = sphere.center;  // differences first: they round less, far from the origin
-  return squared_norm(closest_point(Point::Zero(), triangle.a - s, triangle.b - s, triangle.c - s)) <=
-         sphere.radius * sphere.radius;
+  const Vector a = triangle.a - s, b = triangle.b - s, c = triangle.c - s;
+  const double size = std::max(largest(a, b, c), sphere.radius),
+               unit = is_ordinary(size) ? 1 : unit_scale(size);
+  return within(closest_point(Point::Zero(), unit * a, unit * b, unit * c), unit * sphere.radius);
 }
 
 //! [sweep_sphere_triangle]

@@ -17,8 +17,7 @@ bool overlap(const Sphere& sphere, const Triangle& triangle);
 /// at most 16 eps L / |N.V|, or sqrt(32 eps L r) / |V| when the sphere only grazes; and a sphere that goes as
 /// deep as that is never missed. A point, r = 0, cannot go deep: at the time of contact it is within 16 eps L
 /// of the triangle, and it is never missed if it passes inside all sides, from before the plane to behind it,
-/// all by more than that. Lengths should lie between 1e-30 and 1e30, or squares of squares leave the range of
-/// double.
+/// all by more than that.
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Triangle& triangle);
 
 }  // namespace first_contact

@@ -7,6 +7,7 @@
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/transform.hpp"
 #include "first_contact/geometry/triangle_distance.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 namespace {
@@ -14,8 +15,7 @@ namespace {
 /// A ball about a triangle, to see at a glance that another is far away.
 struct Ball {
   explicit Ball(const Triangle& t) : center((t.a + t.b + t.c) / 3) {
-    radius = std::sqrt(
-        std::max({squared_norm(t.a - center), squared_norm(t.b - center), squared_norm(t.c - center)}));
+    radius = std::max({norm(t.a - center), norm(t.b - center), norm(t.c - center)});
   }
 
   Point center;
@@ -101,8 +101,27 @@ Mesh turned(const Turning<Mesh>& turning, double t) {
   return {std::move(vertices), turning.shape.faces()};
 }
 
+namespace {
+
+Mesh scaled(const Mesh& mesh, double unit) {
+  std::vector<Point> vertices;
+  for (const Point& p : mesh.vertices()) vertices.push_back(unit * p);
+  return {std::move(vertices), mesh.faces()};
+}
+
+}  // namespace
+
 //! [sweep_turning]
 std::optional<Contact> sweep(const Turning<Mesh>& turning, const Mesh& obstacle) {
+  if (const double size = scale_of(turning, obstacle), unit = unit_scale(size, largest(turning.center));
+      !is_ordinary(size) && is_ordinary(unit * size)) {
+    Turning<Mesh> moderate = turning;
+    moderate.shape = scaled(turning.shape, unit);
+    moderate.center *= unit;
+    auto contact = sweep(moderate, scaled(obstacle, unit));
+    if (contact) contact->points /= unit;
+    return contact;
+  }
   const std::vector<double> reach = reaches(turning);
   const std::vector<Ball> obstacle_balls = balls_about(obstacle);
   const double gap = turning_gap * scale_of(turning, obstacle), whole = std::abs(turning.angle);

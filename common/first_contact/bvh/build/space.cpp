@@ -1,6 +1,6 @@
 #include "first_contact/bvh/build/space.hpp"
 
-#include <cmath>
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact::bvh {
 
@@ -14,9 +14,7 @@ Space::Space(const Mesh& mesh) {
     }
   center_ = low / 2 + high / 2;
   const double half = (high / 2 - low / 2).maxCoeff();
-  int exponent = 0;
-  std::frexp(half, &exponent);  // half < 2^exponent
-  if (half > 0) scale_ = std::ldexp(1.0, -exponent);
+  if (half > 0) scale_ = unit_scale(half);
 }
 
 }  // namespace first_contact::bvh

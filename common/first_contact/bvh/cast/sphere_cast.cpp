@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "first_contact/geometry/unit_scale.hpp"
+
 namespace first_contact::bvh {
 
 namespace {
@@ -36,6 +38,9 @@ SphereCast::SphereCast(const Moving<Sphere>& moving, const Parts& parts, const W
   question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
   near_ = parts.mesh.size() > 0 && !v.isZero(0) && find_path(tree_, question_, walk_.path);
   start(tree_, walk_.progress);
+  const Point& middle = parts.space.center();
+  const double size = std::max(largest(v), moving.shape.radius), mesh = 1 / parts.space.scale();
+  ordinary_ = is_ordinary(size) && std::max({largest(moving.shape.center), largest(middle), mesh}) <= 0x1p79;
 }
 
 void SphereCast::note_latest() {
@@ -49,6 +54,11 @@ void SphereCast::note_latest() {
 //! [consider]
 /// What may be touched at the start is decided at once: of it one may yet get free.
 void SphereCast::consider(const Place& place, bool overlapping) {
+  constexpr unsigned all_features = 0x7f;
+  if (!ordinary_) {  // the bounds are for lengths whose products are; the verdict chooses a unit
+    verdict_.consider(place, all_features);
+    return note_latest();
+  }
   const Surface& surface = *parts_.surface;
   const auto& [a, b, c] = place.corner;
   const double latest = std::min({verdict_.latest(), hoped_, 1.0});

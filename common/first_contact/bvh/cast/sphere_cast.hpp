@@ -50,7 +50,8 @@ class SphereCast {
   const Walker& walker_;
   const Tree& tree_;
   Verdict verdict_;
-  bool near_;  // does the sphere come near the mesh at all?
+  bool near_;      // does the sphere come near the mesh at all?
+  bool ordinary_;  // is nothing so large or so small that products leave the range of double?
   Question question_;
 
   /// A triangle of which some features are touched, perhaps.
