@@ -234,6 +234,39 @@ TEST_CASE("All pairs meet at the same times in every unit") {
   });
 }
 
+TEST_CASE("A batch of spheres, and one against a plane, takes the plain sweep's times in every unit") {
+  in_every_unit(1308, 10, [](Scene& scene) {
+    std::vector<Moving<Sphere>> p, q;
+    for (int k = 0; k < 37; ++k) p.push_back(scene.ball()), q.push_back(scene.ball());
+    const Plane plane({0.5, -0.25, 1}, 0.125);
+    for (const int power : powers) {
+      CAPTURE(power);
+      std::array<std::vector<double>, 14> columns;
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        const Moving<Sphere> a = times(p[k], power), b = times(q[k], power);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto n = static_cast<Eigen::Index>(axis);
+          columns[axis].push_back(a.shape.center[n]), columns[axis + 3].push_back(a.displacement[n]);
+          columns[axis + 7].push_back(b.shape.center[n]), columns[axis + 10].push_back(b.displacement[n]);
+        }
+        columns[6].push_back(a.shape.radius), columns[13].push_back(b.shape.radius);
+      }
+      const auto three = [&](std::size_t from) {
+        return Columns{columns[from], columns[from + 1], columns[from + 2]};
+      };
+      const MovingSpheres all_p(three(0), columns[6], three(3)), all_q(three(7), columns[13], three(10));
+      std::vector<double> found(p.size()), on_plane(p.size());
+      sweep(all_p, all_q, found);
+      sweep(all_p, Plane({0.5, -0.25, 1}, times(0.125, power)), on_plane);
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        const auto contact = sweep(p[k], q[k]), down = sweep(p[k], plane);
+        REQUIRE(found[k] == (contact ? contact->time : no_contact));
+        REQUIRE(on_plane[k] == (down ? down->time : no_contact));
+      }
+    }
+  });
+}
+
 TEST_CASE("A slide, and a way along a curve, go the same way in every unit") {
   in_every_unit(1307, 60, [](Scene& scene) {
     const Mesh mesh = scene.mesh();

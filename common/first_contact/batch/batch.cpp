@@ -1,9 +1,12 @@
 #include "first_contact/batch/batch.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "first_contact/batch/loops.hpp"
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/sweep/sphere_sphere.hpp"
 
 namespace first_contact {
 
@@ -34,6 +37,25 @@ batch::Boxes flat(const MovingBoxes& all) {
 batch::FlatPlane flat(const Plane& plane) {
   const Vector n = plane.normal();
   return {n.x(), n.y(), n.z(), plane.offset()};
+}
+
+batch::Vectors from(const batch::Vectors& v, std::size_t first) {
+  return {v.x + first, v.y + first, v.z + first};
+}
+batch::Spheres from(const batch::Spheres& all, std::size_t first) {
+  return {from(all.center, first), all.radius + first, from(all.displacement, first)};
+}
+
+// By the plain sweep; what is no sphere, or does not move by a number, has no contact.
+double one_time(const MovingSpheres& p, const MovingSpheres& q, std::size_t i) {
+  const auto is_sphere = [i](const MovingSpheres& all) {
+    const double r = all.radius()[i];
+    return in_range(at(all.center(), i)) && in_range(at(all.displacement(), i)) && r >= 0 &&
+           r <= largest_length;
+  };
+  if (!is_sphere(p) || !is_sphere(q)) return no_contact;
+  const auto contact = sweep(p[i], q[i]);
+  return contact ? contact->time : no_contact;
 }
 
 }  // namespace
@@ -69,7 +91,13 @@ Moving<Box> MovingBoxes::operator[](std::size_t i) const {
 void sweep(const MovingSpheres& p, const MovingSpheres& q, std::span<double> times) {
   require_equal(q.size(), p.size(), "batch of spheres q");
   require_equal(times.size(), p.size(), "span of times");
-  batch::sphere_sphere(flat(p), flat(q), times.size(), times.data());
+  constexpr std::size_t block = 1 << 14;  // their times are at hand when the loop is done
+  for (std::size_t first = 0; first < times.size(); first += block) {
+    const std::size_t count = std::min(block, times.size() - first);
+    batch::sphere_sphere(from(flat(p), first), from(flat(q), first), count, times.data() + first);
+    for (std::size_t i = first; i < first + count; ++i)
+      if (std::isnan(times[i])) times[i] = one_time(p, q, i);
+  }
 }
 
 void sweep(const MovingSpheres& spheres, const Plane& plane, std::span<double> times) {

@@ -141,6 +141,18 @@ Number sphere_sphere(D lanes, const Ball<Number>& p, const Ball<Number>& q) {
 }
 //! [batch_sphere_sphere]
 
+// The time, or no number where squares are so large or so small that their products may have left the range of
+// double: then the plain sweep is asked, which chooses a unit (batch.cpp).
+template <class D, class Number>
+Number time_in_range(D lanes, const Ball<Number>& p, const Ball<Number>& q) {
+  const Number least = Set(lanes, 0x1p-400), most = Set(lanes, 0x1p400), zero = Zero(lanes);
+  const Triple<Number> w = p.center - q.center, u = p.displacement - q.displacement;
+  const Number d = p.radius + q.radius, a = dot(u, u), dd = d * d, size = dot(w, w) + dd;
+  const auto ordinary = And(And(Gt(a, least), Lt(a, most)), And(Gt(size, least), Lt(size, most)));
+  const auto known = Or(And(ordinary, Or(Eq(d, zero), Gt(dd, least))), Eq(length(u), zero));
+  return IfThenElse(known, sphere_sphere(lanes, p, q), Set(lanes, __builtin_nan("")));
+}
+
 //! [batch_sphere_plane]
 template <class D, class Number>
 Number sphere_plane(D lanes, const Ball<Number>& ball, const Triple<Number>& normal, Number offset) {
@@ -199,7 +211,7 @@ void from_the_desk(const Spheres& p, const Spheres& q, std::size_t whole, double
   for (std::size_t i = 0; i < whole; i += line) {
     const Spheres next = desk.take(i);
     for (std::size_t k = 0; k < line; k += Lanes(many))
-      StoreU(sphere_sphere(many, at(many, next, k), at(many, q, i + k)), many, times + i + k);
+      StoreU(time_in_range(many, at(many, next, k), at(many, q, i + k)), many, times + i + k);
     if (i + Desk::ahead < whole) desk.put(p, i + Desk::ahead);
   }
 }
@@ -216,7 +228,7 @@ void sphere_sphere_loop(const Spheres& all_p, const Spheres& all_q, std::size_t 
   from_the_desk(all_p, all_q, done, times);
   const Spheres p = from(all_p, done), q = from(all_q, done);
   each(count - done, times + done, [&](auto lanes, std::size_t i) HWY_ATTR {
-    return sphere_sphere(lanes, at(lanes, p, i), at(lanes, q, i));
+    return time_in_range(lanes, at(lanes, p, i), at(lanes, q, i));
   });
 }
 
