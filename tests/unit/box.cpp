@@ -59,6 +59,5 @@ TEST_CASE("Whether axes are perpendicular does not depend on their length") {
 TEST_CASE("A box with a coordinate that is not finite is refused by name") {
   CHECK_THROWS_WITH(Box({infinity, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), ContainsSubstring("centre"));
   CHECK_THROWS_WITH(Box({0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}, {0, 0, 1}), ContainsSubstring("axis S"));
-  CHECK_THROWS_WITH(Box({0, 0, 0}, {1.7e308, 0, 0}, {0, 1.7e308, 0}, {0, 0, 1}),
-                    ContainsSubstring("lengths"));
+  CHECK_THROWS_WITH(Box({0, 0, 0}, {1e301, 0, 0}, {0, 1e301, 0}, {0, 0, 1}), ContainsSubstring("lengths"));
 }
