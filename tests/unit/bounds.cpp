@@ -20,7 +20,7 @@ TEST_CASE("Bounds that turn round or are not finite are refused, with value and 
 }
 
 TEST_CASE("The middle of bounds is there even where the sum of their corners is too large for a double") {
-  const Bounds box = bounds_between({0x1p1023, -0x1p1023, 1}, {0x1.8p1023, -0x1p1023, 3});
+  const Bounds box(Point(0x1p1023, -0x1p1023, 1), Point(0x1.8p1023, -0x1p1023, 3));
   CHECK(middle_of(box) == Point(0x1.4p1023, -0x1p1023, 2));
 }
 
