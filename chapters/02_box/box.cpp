@@ -75,7 +75,7 @@ void tell_corrections(Report& report, const Plane& plane, const Box& box) {
   const Vector half = 0.5 * (box.r + box.s + box.t);
   const box_chapter::TurnedTogether axes = box_chapter::turned_together();
   report.say({"As printed: vertices Q +- 1/2(R + S + T), and an axis is parallel if T.N is exactly zero",
-              "論文所印：頂點 Q ± 1/2(R + S + T)；T.N 恰為零時主軸平行於平面"});
+              "論文原式：頂點 Q ± 1/2(R + S + T)；T.N 恰為零時主軸平行於平面"});
   report.row("lowest, one common sign", -std::abs(n.dot(half)),
              {"height of the nearest vertex above the centre", "最近頂點相對於中心的高度"});
   report.row("zeros, turned together", std::to_string(axes.exact_zeros) + " of 2",
@@ -128,7 +128,7 @@ void tell_bounding(Report& report, Language language) {
   report.say(
       {"Box or sphere (3.2.1)? Volume beside the shape's own, and how often a random plane hits it beside "
        "the shape",
-       "匣面或球面範圍框（3.2.1）？體積與物件的比，以及被任意平面碰到的次數比"});
+       "匣面或球面範圍框（3.2.1；正匣面即 AABB，斜匣面即 OBB）？體積與物件的比，以及被任意平面碰到的次數比"});
   const auto row = [&](const box_chapter::Bounded& shape, const auto& bounding, const Text& name) {
     report.row(shape.name.in(language) + ", " + name.in(language),
                box_chapter::rounded(volume(bounding) / shape.volume) + ", " +

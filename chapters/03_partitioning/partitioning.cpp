@@ -98,7 +98,7 @@ void tell(Program& program, const Costs& costs) {
   report.say({"The BSP tree: space cut in two along polygons", "BSP tree：以多邊形平面分割空間"});
   tell_tree(program, "bsp", costs, costs.bsp);
   report.say({"The BVH: boxes around boxes, cut where few flights need both parts",
-              "BVH：層層包圍的方盒，於較少飛行須兼顧兩側處分割"});
+              "BVH：層層包圍的匣面，於較少飛行須兼顧兩側處分割"});
   tell_tree(program, "bvh", costs, costs.bvh);
   report.say({"All four give the same contacts, to the last bit", "四者的碰撞結果完全相同"});
   report.row("same", truth(costs.agree()),
@@ -124,7 +124,7 @@ void tell_log8(Report& report, std::uint64_t seed) {
   report.say(
       {"As printed: one of k objects is found in log_8 k steps. True of objects that lie evenly, and one "
        "step off:",
-       "論文所印：平均在 log_8 k 的時間內找到物品。物品均勻分布時約成立："});
+       "論文原式：平均在 log_8 k 的時間內找到物品。物品均勻分布時約成立："});
   tell_depth(Spread::even);
   report.say({"Corrected: of crowded objects it is not; what bounds a search is the depth of the tree",
               "修正：物品聚集時不成立；搜尋時間以樹的深度為界"});
@@ -139,7 +139,7 @@ void tell_same_side(Report& report) {
   const double d1 = e.signed_distance(landing.shape.center);
   const double d2 = e.signed_distance(landing.shape.center + landing.displacement);
   report.say({"As printed: no contact if E.Q >= r at both ends, or E.Q <= -r at both",
-              "論文所印：兩端皆 E.Q >= r 或皆 E.Q <= -r，即無碰撞"});
+              "論文原式：兩端皆 E.Q >= r 或皆 E.Q <= -r，即無碰撞"});
   report.row("E.Q1", d1, {"r = 1: a ball that comes down on a tile", "r = 1：球落在地磚上"});
   report.row("E.Q2", d2, {"it touches at the very end", "恰在終點接觸"});
   report.row("E.Q >= r", truth(d1 >= 1 && d2 >= 1),

@@ -104,7 +104,7 @@ std::string or_none(const std::optional<double>& value) { return value ? readabl
 void tell_corrections(Report& report, const Moving<Sphere>& moving, const Environment& environment,
                       const std::optional<Contact>& contact) {
   report.say({"As printed: the cylinder's axis is the edge of the moved-out solid",
-              "論文所印：圓柱體的中心線是外推後的稜"});
+              "論文原式：圓柱體的中心線是外推後的稜"});
   report.row("t of that cylinder", or_none(printed_time(moving, environment)),
              {"the ball stops in the air", "球面尚未接觸就停止"});
   report.say({"Corrected: a cylinder of radius r about the original edge, a sphere about the original vertex",
@@ -119,7 +119,7 @@ void tell_order(Program& program) {
   report.say(
       {"As printed: the first face that is hit ends the search. A ball of radius 1/2 falls on a step of "
        "height 1",
-       "論文所印：一碰到面就略過其餘檢測。半徑 1/2 的球落在高 1 的階梯上"});
+       "論文原式：一碰到面就略過其餘檢測。半徑 1/2 的球落在高 1 的階梯上"});
   program
       .row("t of the first face listed", first_face_in_the_list(falling, stairs)->time,
            {"the floor below the step: the ball has gone through it", "階梯下的地面：球已穿過階梯"})

@@ -60,7 +60,7 @@ void tell_projection(Program& program, const Environment& environment, const Mov
   report.row("Q = P1 + t(P2 - P1)", q, {"centre of the sphere at contact", "碰撞時的球心"});
   report.row("N", n, {"unit normal of the surface, to the sphere", "表面的單位法向量"});
   report.say({"As printed, the collision is \"at Q\"; with Q the point of the surface",
-              "論文所印：「在 Q 會發生碰撞」；若 Q 取表面上的碰撞點"});
+              "論文原式：「在 Q 會發生碰撞」；若 Q 取表面上的碰撞點"});
   report.row("C", c, {"point of contact", "碰撞點"});
   report.row("P2 - [(P2 - C).N] N", sunk, {"the sphere ends half sunk", "球面陷入表面一半"});
   report.row("(P3 - C).N", (sunk - c).dot(n),

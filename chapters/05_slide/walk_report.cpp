@@ -37,11 +37,11 @@ std::vector<walks::Walk> tell_walks(Program& program, const std::vector<walks::G
                                     long frames) {
   Report& report = program.report();
   report.say({"Frame after frame over whole surfaces: the worst that happened in any frame",
-              "在整個表面上逐格滑行：所有影格中最差者"});
+              "在整個表面上逐影格滑行：所有影格中最差者"});
   std::vector<std::string> head;
   for (const Text& text :
-       {Text{"triangles", "三角形數"}, Text{"   frames", "  影格數"}, Text{"penetration", "最大穿入"},
-        Text{"tunnelled", "穿透次數"}, Text{"reversed", "後退次數"}, Text{"drift", "漂移"}})
+       {Text{"triangles", "三角形數"}, Text{"   frames", "  影格數"}, Text{"penetration", "最大穿透深度"},
+        Text{"tunnelled", "穿牆次數"}, Text{"reversed", "後退次數"}, Text{"drift", "漂移"}})
     head.push_back(program.say(text));
   report.also(Text{table_row("", head, head), table_row("", head, head)});
   std::vector<walks::Walk> all;
@@ -57,7 +57,7 @@ std::vector<walks::Walk> tell_walks(Program& program, const std::vector<walks::G
   }
   report.also(
       {"Lengths as parts of the largest coordinate; a penetration below 0 is a gap, here 16 eps = 3.6e-15",
-       "長度以最大座標為單位；穿入小於 0 即為間隙，此處 16 eps = 3.6e-15"});
+       "長度以最大座標為單位；穿透深度小於 0 即為間隙，此處 16 eps = 3.6e-15"});
   return all;
 }
 //! [walks]

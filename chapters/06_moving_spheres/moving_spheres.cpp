@@ -84,7 +84,7 @@ void tell_errors(Report& report) {
   };
   report.say(
       {"As printed, in single precision: (w.u)^2 - u^2 (w^2 - d^2) cancels if the spheres come from far away",
-       "論文所印（單精度）：距離遠時 (w.u)^2 - u^2 (w^2 - d^2) 幾乎相消"});
+       "論文原式（單精度）：距離遠時 (w.u)^2 - u^2 (w^2 - d^2) 幾乎相消"});
   tell(printed);
   report.say({"Corrected: the same root as u^2 d^2 - |w x u|^2, by the closest approach",
               "修正：改以最接近距離計算，根號內為 u^2 d^2 - |w x u|^2"});
@@ -96,13 +96,13 @@ void tell_crowd(Program& program) {
   const Work alike = work(10000, Crowd::alike), uneven = work(10000, Crowd::uneven);
   Report& report = program.report();
   report.say({"Among 10000 spheres, every two may meet: boxes in space and time, halved again and again",
-              "10000 個球，每兩個都可能相碰：時空中的盒，反覆對分"});
-  program.row("n(n - 1)/2", alike.every_pair, {"pairs", "球對"}).value("crowd_pairs");
-  program.row("along x", alike.one_axis, {"pairs that overlap along x", "沿 x 方向重疊的球對"})
+              "10000 個球，每兩個都可能相碰：時空中的匣面，反覆對分"});
+  program.row("n(n - 1)/2", alike.every_pair, {"pairs", "成對的球"}).value("crowd_pairs");
+  program.row("along x", alike.one_axis, {"pairs that overlap along x", "沿 x 方向重疊的成對的球"})
       .value("crowd_one_axis");
-  program.row("boxes", alike.boxes, {"tests of boxes", "盒的測試數"}).value("crowd_boxes");
-  report.row("sweeps", alike.sweeps, {"pairs that are swept", "精確計算的球對"});
-  program.row("contacts", alike.contacts, {"pairs that meet", "發生碰撞的球對"}).value("crowd_contacts");
+  program.row("boxes", alike.boxes, {"tests of boxes", "匣面的測試數"}).value("crowd_boxes");
+  report.row("sweeps", alike.sweeps, {"pairs that are swept", "精確計算的成對的球"});
+  program.row("contacts", alike.contacts, {"pairs that meet", "發生碰撞的成對的球"}).value("crowd_contacts");
   report.row("boxes, uneven", uneven.boxes,
              {"one sphere as large as all of space, one in a hundred ten times as fast",
               "其一與全空間等大，百分之一快十倍"});

@@ -54,13 +54,13 @@ void tell_plan(Program& program, const PrintedMotion& motion) {
     program.row("y(2)", Shown{motion.y[1], with_digits(motion.y[1], 8)}, {"one step later", "下一點的高度"})
         .value("second_height");
   if (!motion.hits.empty())
-    report.row("first i, y(i) < 0", hit(0), {"sample number, from 1", "第一次低於地面的點序"});
+    report.row("first i, y(i) < 0", hit(0), {"sample number, from 1", "第一次低於地面的取樣編號"});
   if (!tops.empty())
     report.row("max y after it", with_digits(tops.front().height, 9),
                {"top of the rebound, at t = " + readable(tops.front().time),
                 "反彈的最高點，t = " + readable(tops.front().time)});
   if (motion.hits.size() > 1)
-    report.row("second i, y(i) < 0", hit(1), {"sample number", "第二次低於地面的點序"});
+    report.row("second i, y(i) < 0", hit(1), {"sample number", "第二次低於地面的取樣編號"});
   program
       .row("hits", motion.hits.size(),
            {"in " + std::to_string(motion.y.size()) + " samples: at last every step is one",
@@ -89,7 +89,7 @@ void tell_check(Program& program, const Flight& flight) {
       .value("off_line");
   program
       .row("off the curve", off[1],
-           {"at most: a parabola, drawn as a Bezier curve", "與 Bezier 曲線（拋物線）的最大偏差"})
+           {"at most: a parabola, drawn as a Bezier curve", "與貝茲曲線（拋物線）的最大偏差"})
       .value("off_curve");
   report.row("off the floor", off[2], {"at most", "與地面的最大偏差"});
   for (std::size_t leg = 0; leg < 2; ++leg)
@@ -112,12 +112,12 @@ void tell_speeds(Report& report, const Flight& flight) {
 // What is wrong in the programs.
 void tell_printed(Report& report, const Scene& scene, const Flight& flight) {
   report.say({"As printed: gravity brakes the fall, and its time counts from the start, not from the bounce",
-              "論文所印：重力使下降減速，且時間自起點而非自碰撞起算"});
+              "論文原式：重力使下降減速，且時間自起點而非自碰撞起算"});
   if (!flight.impacts.empty()) {
     report.row("t1", flight.impacts[0].time, {"first hit, to within dt", "第 1 次碰撞（誤差至 dt）"});
     report.row("v1", flight.impacts[0].speed,
                {"speed there; it was thrown down with " + readable(scene.v0),
-                "當時速度；拋下時為 " + readable(scene.v0)});
+                "當時速度；向下拋出時為 " + readable(scene.v0)});
   }
   const PrintedMotion released = run_printed(scene, 0);
   const std::size_t second =
@@ -150,7 +150,7 @@ void tell_corrected(Program& program, const Scene& scene, const Bounce& bounce) 
   if (const auto rest = bounce.rest_time())
     program
         .row("t1 + (2 v1/g) e/(1 - e)", *rest,
-             {"rest: infinitely many impacts before it (Zeno)", "靜止：此前碰撞無窮多次（Zeno）"})
+             {"rest: infinitely many impacts before it (Zeno)", "靜止：此前碰撞無窮多次（芝諾悖論）"})
         .value("true_rest");
   else
     report.row("rest", std::string("never"), {"it never comes to rest on the floor", "永不靜止於地面"});
@@ -170,7 +170,7 @@ double solved_peak() { return Bounce(1, 0, 9.81, 1).apex(66)->height; }
 void tell_energy(Program& program) {
   program.report().say(
       {"A ball dropped from 1 with e = 1, 60 pictures a second: how high does it bounce after a minute?",
-       "自高度 1 落下、e = 1、每秒 60 格：一分鐘後彈多高？"});
+       "自高度 1 落下、e = 1、每秒 60 影格：一分鐘後彈多高？"});
   const auto peak = [&](Stepper stepper, const std::string& name, const std::string& value,
                         const Text& meaning) {
     program.row(name, stepped_peak(stepper), meaning).value(value);
@@ -178,7 +178,7 @@ void tell_energy(Program& program) {
   peak(Stepper::explicit_euler, "explicit Euler", "explicit_peak",
        {"y += v dt, then v -= g dt", "先 y += v dt，再 v -= g dt"});
   peak(Stepper::parabola, "exact parabolas", "parabola_peak",
-       {"but each impact up to a step late", "但每次碰撞最多遲一格"});
+       {"but each impact up to a step late", "但每次碰撞最多遲一影格"});
   peak(Stepper::semi_implicit_euler, "semi-implicit Euler", "semi_peak",
        {"v -= g dt, then y += v dt", "先 v -= g dt，再 y += v dt"});
   program.report().row("solved at impacts", solved_peak(), {"nothing drifts", "沒有漂移"});
@@ -210,19 +210,19 @@ double left_by_damp() {
 void tell_tweens(Program& program) {
   Report& report = program.report();
   report.say({"Tweens that go wrong: speed by a curve's parameter, and a lerp by 0.1 a frame",
-              "補間的常見錯誤：以曲線參數當距離；每格 lerp 0.1"});
+              "補間的常見錯誤：以曲線參數當距離；每影格 lerp 0.1"});
   const ArcLength arch(tween_bounce::arch());
   program
       .row("fastest/slowest", unevenness(arch.curve()),
            {"along a Bezier arch by its parameter; 1 by its length, " + readable(arch.total()),
-            "沿 Bezier 拱的參數；依弧長 " + readable(arch.total()) + " 則為 1"})
+            "沿貝茲拱形的參數；依弧長 " + readable(arch.total()) + " 則為 1"})
       .value("unevenness");
   const auto left = [](int frames) { return with_digits(100 * left_by_lerp(frames), 2) + " %"; };
   report.row("left after 1 s, lerp", left(30) + ", " + left(60),
-             {"at 30 and at 60 frames a second", "每秒 30 與 60 格"});
+             {"at 30 and at 60 frames a second", "每秒 30 與 60 影格"});
   program
       .row("left after 1 s, damp", Shown{left_by_damp(), with_digits(100 * left_by_damp(), 2) + " %"},
-           {"e^(-rate t), at any frame rate", "e^(-rate t)，與格速無關"})
+           {"e^(-rate t), at any frame rate", "e^(-rate t)，與影格速率無關"})
       .value("left_damp");
 }
 //! [report]

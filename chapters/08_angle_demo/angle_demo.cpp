@@ -136,7 +136,7 @@ void tell_case(Report& report, const Encounter& encounter, const Printed& paper,
   report.also(paper.situation);
   tell_collision(report, printed, number);
   for (const std::size_t i : {0U, 1U})
-    report.row("theta" + std::to_string(i + 1), degrees(printed.angle[i]), {"as printed", "論文所印"},
+    report.row("theta" + std::to_string(i + 1), degrees(printed.angle[i]), {"as printed", "論文原式"},
                paper.angles[i]);
   tell_meeting(report, encounter, corrected);
   for (const std::size_t i : {0U, 1U})
@@ -151,8 +151,8 @@ void tell_case(Report& report, const Encounter& encounter, const Printed& paper,
 void tell_faults(Report& report) {
   const Encounter aimed = aimed_beside();
   report.say({"As printed, the normal is that at the start; here (-5, 1) with (5, 0) meets (0, 0) at rest",
-              "論文所印：以出發位置的法向量計算；此處 (-5, 1) 以 (5, 0) 碰撞靜止的 (0, 0)"});
-  report.row("theta2", degrees(as_printed(aimed).angle[1]), {"as printed", "論文所印"});
+              "論文原式：以出發位置的法向量計算；此處 (-5, 1) 以 (5, 0) 碰撞靜止的 (0, 0)"});
+  report.row("theta2", degrees(as_printed(aimed).angle[1]), {"as printed", "論文原式"});
   report.row(
       "theta2", degrees(at_contact(aimed).angle[1]),
       {"corrected: the struck disc goes along the normal at contact", "修正：被撞物件沿碰撞時的法向量移動"});
@@ -164,9 +164,9 @@ void tell_faults(Report& report) {
   report.say(
       {"As printed, r is called the radius, but acts as the restitution, and across the normal as well; here "
        "0.5",
-       "論文所印：r 名為半徑，實為恢復係數，且連切線速度一併縮小；此處為 0.5"});
+       "論文原式：r 名為半徑，實為恢復係數，且連切線速度一併縮小；此處為 0.5"});
   report.row("v1", pair_of(as_printed(soft).velocity[0]),
-             {"as printed: (1, 1) loses speed both ways", "論文所印：兩分量皆縮小"});
+             {"as printed: (1, 1) loses speed both ways", "論文原式：兩分量皆縮小"});
   report.row("v1", pair_of(at_contact(soft).velocity[0]),
              {"corrected: only along the normal, here x", "修正：只改變法向量（x）的分量"});
 }
@@ -222,7 +222,7 @@ void show_paper_cases(Program& program) {
 
 void show_one(Program& program, const Encounter& encounter, bool printed) {
   const Outcome outcome = printed ? as_printed(encounter) : at_contact(encounter);
-  program.report().say(printed ? Text{"As printed: program 4", "論文所印：程式4"}
+  program.report().say(printed ? Text{"As printed: program 4", "論文原式：程式4"}
                                : Text{"Corrected: do they meet, and with which normal?",
                                       "修正：是否相碰，以及碰撞時的法向量"});
   tell_outcome(program.report(), encounter, outcome);

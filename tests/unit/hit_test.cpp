@@ -94,6 +94,16 @@ TEST_CASE("Shapes overlap if their sides cross, or one is within the other") {
   CHECK_FALSE(overlap(StageObject(letter_l), StageObject(square, moved(2.5, 2.5))));
 }
 
+TEST_CASE(
+    "A ray through a corner counts one side where the outline passes through it, and none or two where it "
+    "only touches") {
+  const StageObject diamond(std::vector<Point2>{{1, 0}, {0, 1}, {-1, 0}, {0, -1}});
+  CHECK(hit_test_point(diamond, {0, 0}, true));  // the ray leaves by the corner (1, 0)
+  const StageObject valley(std::vector<Point2>{{2, -1}, {3, 0}, {4, -1}, {4, 1}, {-1, 1}, {-1, -1}});
+  CHECK(hit_test_point(valley, {0, 0}, true));  // it touches the corner (3, 0), and leaves at (4, 0)
+  CHECK_FALSE(hit_test_point(StageObject(std::vector<Point2>{{-1, -1}, {0, 0}, {1, -1}}), {-0.5, 0}, true));
+}
+
 TEST_CASE("The pointer picks what was drawn last, by its shape") {
   const std::array objects{StageObject(square), StageObject(triangle), StageObject(square, moved(3.5, 3.5))};
   CHECK(pick(objects, {0.5, 0.5}) == 1);

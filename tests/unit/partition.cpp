@@ -62,6 +62,19 @@ TEST_CASE("In an octree of clustered objects the depth has nothing to do with lo
   CHECK(Octree(objects, OctreeLimits{1, 6}).depth() == 6);    // the limit holds
 }
 
+TEST_CASE(
+    "An octree fits two points so closely that one cut parts them; a third one far away makes it as deep as "
+    "they are close") {
+  const auto at = [](const Point& p) { return Bounds(p, p); };
+  for (const int n : {3, 10, 20, 30}) {
+    const double apart = std::exp2(-n);
+    std::vector<Bounds> objects{at(Point::Zero()), at(Point::Constant(apart))};
+    CHECK(Octree(objects, OctreeLimits{1, 60}).depth() == 1);
+    objects.push_back(at(Point::Constant(1)));
+    CHECK(Octree(objects, OctreeLimits{1, 60}).depth() == static_cast<std::size_t>(n));
+  }
+}
+
 TEST_CASE("An octree of objects in one point is one leaf") {
   const std::vector<Bounds> same(100, bounds_between({1, 2, 3}, {1, 2, 3}));
   CHECK(Octree(same).nodes() == 1);

@@ -94,6 +94,20 @@ TEST_CASE("The printed rebound has one apex, and the ball lies on the floor from
   CHECK(*rest_time(motion) == motion.hits[1].time);
 }
 
+TEST_CASE(
+    "The printed rebound rises to (e v0 - 6/5 g t1)^2 / (12/5 g): by the throw, the time of the fall, e and "
+    "6/5") {
+  for (const double e : {0.3, 0.5, 0.9}) {
+    PrintedBounce bounce;
+    bounce.restitution = e;
+    bounce.dt = 1e-5;
+    bounce.samples = 500000;
+    const PrintedMotion motion = run(bounce);
+    const double up = e * bounce.v0 - 6.0 / 5 * bounce.g * motion.hits.front().time;
+    CHECK(apexes(motion).front().height == Approx(up * up / (12.0 / 5 * bounce.g)).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("A printed motion that ends in the air has no rest") {
   CHECK_FALSE(rest_time(run({50, 25, 9.82, 0.01, 100, 0.5})));
   CHECK_FALSE(rest_time(run({50, 25, 9.82, 0.01, 1, 0.5})));

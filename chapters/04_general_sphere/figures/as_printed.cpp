@@ -22,7 +22,7 @@ void draw_printed_cylinder(const program::Program& program) {
   scene.sphere({right, r}, colour::amber, 0.5);
   scene.arrow(start, right);
   for (const Point& p : {edge, moved, early, right}) scene.dot(p);
-  scene.label(program.say({"as printed", "論文所印"}), early + at(-0.9 * r, r), -0.4, 0, colour::pink,
+  scene.label(program.say({"as printed", "論文原式"}), early + at(-0.9 * r, r), -0.4, 0, colour::pink,
               Align::right);
   scene.label(program.say({"corrected", "修正"}), at(r, -0.25), 0.8, -1.2, colour::green, Align::left);
   finish(program.studio(), "printed-cylinder", scene);
@@ -50,7 +50,7 @@ void draw_order(const program::Program& program) {
   scene.dot(at(1, touching));
   scene.label("1", at(-1.8, 0), 0, 0.9, colour::blue);
   scene.label("2", at(0.2, 1), 0, 0.9, colour::blue);
-  scene.label(program.say({"as printed", "論文所印"}), at(2, through), 0.8, 0, colour::pink, Align::left);
+  scene.label(program.say({"as printed", "論文原式"}), at(2, through), 0.8, 0, colour::pink, Align::left);
   scene.label(program.say({"corrected", "修正"}), at(2, touching), 0.8, 0, colour::green, Align::left);
   scene.label("", at(2.8, 0));  // room for both
   finish(program.studio(), "order", scene);

@@ -67,8 +67,8 @@ void draw_far_away(const program::Program& program) {
   add_curve(figure, "printed_double", measure<double>(Formula::textbook));
   add_curve(figure, "stable_single", measure<float>(Formula::closest_approach));
   add_curve(figure, "stable_double", measure<double>(Formula::closest_approach));
-  program.label(figure, "printed_s", {"printed, single", "論文所印，單精度"});
-  program.label(figure, "printed_d", {"printed, double", "論文所印，雙精度"});
+  program.label(figure, "printed_s", {"printed, single", "論文原式，單精度"});
+  program.label(figure, "printed_d", {"printed, double", "論文原式，雙精度"});
   program.label(figure, "stable_s", {"stable, single", "穩定形式，單精度"});
   program.label(figure, "stable_d", {"stable, double", "穩定形式，雙精度"});
   program.label(figure, "error",

@@ -59,9 +59,9 @@ void draw_growth(const program::Program& program) {
   program.label(figure, "spheres", {"spheres {/:Italic n}", "球數 {/:Italic n}"});
   program.label(figure, "every_pair", {"every pair", "每一對"});
   program.label(figure, "one_axis", {"sorted along {/:Italic x}", "沿 {/:Italic x} 排序"});
-  program.label(figure, "uneven", {"boxes, if uneven", "盒（大小快慢不一）"});
-  program.label(figure, "alike", {"boxes, if alike", "盒（大小快慢相近）"});
-  program.label(figure, "swept", {"pairs swept", "精確計算的球對"});
+  program.label(figure, "uneven", {"boxes, if uneven", "匣面（大小快慢不一）"});
+  program.label(figure, "alike", {"boxes, if alike", "匣面（大小快慢相近）"});
+  program.label(figure, "swept", {"pairs swept", "精確計算的成對的球"});
   figure.script() << growth_script;
   figure.draw();
 }

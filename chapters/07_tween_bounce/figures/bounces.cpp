@@ -53,7 +53,7 @@ void draw_printed_and_physical(const Program& program, const Flight& printed, co
   std::ostream& out = figure.script();
   write_axes(out, program, {"height", "高度"}, {"time", "時間"});
   out << "set xrange [0:" << end << "]\nset yrange [0:" << top << "]\n"
-      << "set label 1 \"" << program.say({"as printed", "論文所印"})
+      << "set label 1 \"" << program.say({"as printed", "論文原式"})
       << "\" at graph 0.19, 0.42 left tc rgb PINK\n"
       << "set label 2 \"" << program.say({"solved at its impacts", "於碰撞時求解"})
       << "\" at graph 0.36, 0.84 left tc rgb GREEN\n";
@@ -118,11 +118,11 @@ void draw_energy(const Program& program) {
   std::ostream& out = figure.script();
   write_axes(out, program, {"energy, of what it was", "能量（與初值之比）"}, {"time (s)", "時間（秒）"});
   out << "set xrange [0:60]\nset yrange [0:10]\nset ytics 2\n"
-      << "set label 1 \"" << program.say({"explicit Euler", "顯式 Euler"})
+      << "set label 1 \"" << program.say({"explicit Euler", "顯式歐拉法"})
       << "\" at 39, 7.6 right tc rgb RED\n"
       << "set label 2 \"" << program.say({"exact parabolas", "精確拋物線"})
       << "\" at 59, 2.3 right tc rgb PINK\n"
-      << "set label 3 \"" << program.say({"semi-implicit Euler", "半隱式 Euler"})
+      << "set label 3 \"" << program.say({"semi-implicit Euler", "半隱式歐拉法"})
       << "\" at 59, 0.42 right tc rgb BLUE\n"
       << "set label 4 \"" << program.say({"solved at impacts", "於碰撞時求解"})
       << "\" at 59, 1.42 right tc rgb GREEN\n"

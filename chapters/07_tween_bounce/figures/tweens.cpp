@@ -53,9 +53,9 @@ void draw_easings(const Program& program) {
   out << "unset key\nunset xlabel\nunset tics\nset border 3 lc rgb GREY\nset xrange [-0.03:1.03]\nset yrange "
          "[-0.42:1.42]\n"
       << "set multiplot\n"
-      << "set label 11 \"" << program.say({"in", "漸入"}) << "\" at screen 0.30, 0.035 center tc rgb RED\n"
-      << "set label 12 \"" << program.say({"out", "漸出"}) << "\" at screen 0.50, 0.035 center tc rgb BLUE\n"
-      << "set label 13 \"" << program.say({"in-out", "漸入漸出"})
+      << "set label 11 \"" << program.say({"in", "緩入"}) << "\" at screen 0.30, 0.035 center tc rgb RED\n"
+      << "set label 12 \"" << program.say({"out", "緩出"}) << "\" at screen 0.50, 0.035 center tc rgb BLUE\n"
+      << "set label 13 \"" << program.say({"in-out", "緩入緩出"})
       << "\" at screen 0.70, 0.035 center tc rgb GREEN\n";
   for (std::size_t k = 0; k < 10; ++k) {
     const double left = 0.025 + 0.195 * static_cast<double>(k % 5), bottom = k < 5 ? 0.56 : 0.105;

@@ -40,7 +40,7 @@ void draw_cases(const program::Program& program) {
   add_case(scene, {10.8, 0.5}, {0.08, -1.6}, 0.6, cases[3]);
   const std::string before = program.say({"before", "碰撞前"});
   const std::string after = program.say({"after", "碰撞後"});
-  const std::string as_printed = program.say({"as printed;", "論文所印；"});
+  const std::string as_printed = program.say({"as printed;", "論文原式；"});
   const std::string apart = program.say({"they never meet", "其實並未相碰"});
   scene.label(before, {1.5, 4.6, 0}, 0, 0, colour::red);
   scene.label(after, {5, 4.6, 0}, 0, 0, colour::green, Align::left);

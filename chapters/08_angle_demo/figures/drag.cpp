@@ -24,7 +24,7 @@ void draw_drag(const program::Program& program) {
   }
   scene.label(program.say({"before", "碰撞前"}), flat(at[0] + scale * before[0]), 0.6, 0.3, colour::red,
               Align::left);
-  scene.label(program.say({"as printed", "論文所印"}), flat(at[0] + scale * wrong.velocity[0]), -0.6, 0,
+  scene.label(program.say({"as printed", "論文原式"}), flat(at[0] + scale * wrong.velocity[0]), -0.6, 0,
               colour::pink, Align::right);
   scene.label(program.say({"corrected", "修正"}), flat(at[0] + scale * truth.velocity[0]), -0.6, 0.3,
               colour::green, Align::right);

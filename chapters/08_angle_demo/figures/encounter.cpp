@@ -49,7 +49,7 @@ void draw_encounter(const program::Program& program, const std::string& name, co
   for (const std::size_t i : {0U, 1U}) {
     const bool last = i == 1;  // the arrows are explained once
     const double room = (last ? 0.65 : 0.3) * (extent + 2 * encounter.radius);
-    const std::string first = last ? program.say({", as printed", "，論文所印"}) : "";
+    const std::string first = last ? program.say({", as printed", "，論文原式"}) : "";
     const std::string second = last ? program.say({", at contact", "，碰撞時"}) : "";
     if (printed && wrong.collides)
       add_velocity(scene, from[i], encounter.radius, scale * wrong.velocity[i], colour::pink,
