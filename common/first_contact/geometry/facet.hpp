@@ -14,8 +14,8 @@ struct CornerNormal {
   /// rounded sides make it is wrong by less than 3.4 eps of its length.
   Vector normal;
   double longest;  ///< the longest side
-  /// Both are those of the triangle multiplied by this power of two. It is 1 unless the triangle is so large or
-  /// so small that its area would leave the range of double.
+  /// Both are those of the triangle multiplied by this power of two. It is 1, unless the triangle is so large
+  /// or so small that its area would leave the range of double.
   double unit = 1;
 };
 

@@ -23,7 +23,8 @@ struct Frustum {
 /// A shape is rejected if it is behind a plane by more than this part of |Q| + |D| + its radius: two eps of
 /// the plane's normal, as many of a product, one of a sum, one of the length of the normal and two of D, and
 /// as much again for the camera's turn; the next power of two. So what touches the frustum is not rejected
-/// for rounding. (A camera that stands far from the origin moves its planes by an eps or so of that distance.)
+/// for rounding. (A camera that stands far from the origin moves its planes by an eps or so of that
+/// distance.)
 /// \see tests/property/frustum.cpp
 inline constexpr double rounding_of_rejection = 32 * std::numeric_limits<double>::epsilon();
 

@@ -5,10 +5,10 @@
 #include "first_contact/geometry/space.hpp"
 
 /// \file
-/// The idea: a scene that is multiplied by a power of two is the same scene. Every product, sum and root of it
-/// has the same digits, times are what they were, and points are multiplied by the same power: exactly. So
-/// where lengths are so large or so small that their products would leave the range of double, the question is
-/// asked in a unit of its own, and only the points of the answer are brought back.
+/// The idea: a scene that is multiplied by a power of two is the same scene. Every product, sum and root of
+/// it has the same digits, times are what they were, and points are multiplied by the same power: exactly. So
+/// where lengths are so large or so small that their products would leave the range of double, the question
+/// is asked in a unit of its own, and only the points of the answer are brought back.
 
 namespace first_contact {
 

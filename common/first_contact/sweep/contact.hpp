@@ -12,11 +12,11 @@
 ///
 /// The contract of every sweep:
 /// - Motion is S(t) = S0 + t V for t in [0, 1]; lengths are in one unit of the caller's choice.
-/// - Coordinates, radii and displacements are at most 2^1000 = 1.07e301 in size: larger ones are refused when a
-///   shape or a motion is made. They may be as small as one likes, if the largest in a question is at least
-///   2^-900 = 1e-271, for doubles below 2^-1022 have lost digits of their own. A scene multiplied by a power of
-///   two has the same answer: the time to the last bit, the point multiplied by it. What is smaller than the
-///   largest length by more than 2^80 may count as 0, unless it is said otherwise.
+/// - Coordinates, radii and displacements are at most 2^1000 = 1.07e301 in size: larger ones are refused when
+///   a shape or a motion is made. They may be as small as one likes, if the largest in a question is at least
+///   2^-900 = 1e-271, for doubles below 2^-1022 have lost digits of their own. A scene multiplied by a power
+///   of two has the same answer: the time to the last bit, the point multiplied by it. What is smaller than
+///   the largest length by more than 2^80 may count as 0, unless it is said otherwise.
 /// - Apart at 0: the first t in [0, 1] at which the distance is 0, or nothing.
 /// - Touching at 0: a contact at t = 0 if approaching (V.N < 0), nothing if sliding along or leaving.
 /// - Overlapping at 0: a contact at t = 0 if going deeper, nothing if leaving (so that one can get out).
