@@ -48,6 +48,9 @@ export function contents(current, sections) {
 
 // --- the map of chapters ------------------------------------------------------------------------------------------
 
+// Does one chapter need another, by itself or by what it needs?
+const reaches = (one, other) => numbered(one).needs.some((n) => n === other || reaches(n, other));
+
 const depth = (chapter) => 1 + Math.max(-1, ...chapter.needs.map((n) => depth(numbered(n))));
 
 // Rows by depth; within a row, chapters stand in the order of what they build on, so that few lines cross.
@@ -87,7 +90,7 @@ function drawMap(name, width, card, gap) {
   const edges = [], cards = [];
   for (const {chapter, x, y} of places.values()) {
     const middle = x + card.width / 2;
-    for (const n of chapter.needs) {
+    for (const n of chapter.needs.filter((n) => !chapter.needs.some((other) => other !== n && reaches(other, n)))) {
       const from = places.get(n), start = from.x + card.width / 2, top = from.y + card.height;
       edges.push(`<path d="M${start},${top} C${start},${top + gap * 0.6} ${middle},${y - gap * 0.6} ${middle},${y}"/>`);
     }
