@@ -18,7 +18,7 @@ system_at_hand() {
   esac
 }
 
-# The packages of a system for a purpose: course (to build, test and draw), notes, browser, bench, coverage, format.
+# The packages of a system for a purpose: course (to build, test and draw), notes, browser, bench, fuzz, coverage, format.
 packages() {
   case "$1 $2" in
     "debian course") echo g++ cmake ninja-build libeigen3-dev libhwy-dev libgnuplot-iostream-dev libboost-dev libboost-iostreams-dev \
@@ -31,6 +31,7 @@ packages() {
     "debian coverage") echo gcovr ;;
     "debian everywhere") echo clang lld g++-aarch64-linux-gnu qemu-user-static wasi-libc libc++-dev-wasm32 \
         libclang-rt-dev-wasm32 ;;
+    "debian fuzz") echo clang ;;
     "debian format") echo git clang-format clang-tidy ;;
     "fedora course") echo gcc-c++ cmake ninja-build eigen3-devel highway-devel boost-devel cli11-devel json-devel catch-devel gnuplot \
         dejavu-serif-fonts dejavu-sans-fonts google-noto-sans-cjk-fonts ;;

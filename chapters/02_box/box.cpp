@@ -213,8 +213,12 @@ int main(int argc, char** argv) {
   program.option("--s", scene.s, "x,y,z", "axis S, perpendicular to R");
   program.option("--t", scene.t, "x,y,z", "axis T, perpendicular to both");
   return program.run(argc, argv, [&] {
-    const Box box = program.checked("--r", [&] { return Box{scene.from, scene.r, scene.s, scene.t}; });
-    const auto moving = program.checked("--to", [&] { return Moving{box, Vector(scene.to - scene.from)}; });
+    const Box box = program.checked({"--r", "--s", "--t"}, [&] {
+      return Box{scene.from, scene.r, scene.s, scene.t};
+    });
+    const auto moving = program.checked({"--to", "--from"}, [&] {
+      return Moving{box, Vector(scene.to - scene.from)};
+    });
     const auto contact = sweep(moving, scene.plane);
     tell_scene(program, scene.plane, moving);
     tell_contact(program, moving, contact);

@@ -1,8 +1,10 @@
 #include "casts.hpp"
 
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 
+#include "first_contact/files/input.hpp"
+#include "first_contact/files/printable.hpp"
 #include "first_contact/program/numbers.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 
@@ -31,8 +33,7 @@ std::string line_of(const std::optional<Contact>& contact) {
 }  // namespace
 
 Casts read_casts(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("the file could not be opened");
+  std::istringstream in(without_byte_order_mark(read_file(file)));
   Casts casts{false, {}};
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
@@ -45,15 +46,22 @@ Casts read_casts(const std::string& file) {
     try {
       casts.moving.push_back(cast_of(line));
     } catch (const std::exception& error) {
-      throw std::runtime_error("line " + std::to_string(number) + ", \"" + line + "\": " + error.what());
+      throw std::runtime_error("line " + std::to_string(number) + ", \"" + printable(line) +
+                               "\": " + error.what());
     }
   }
+  if (casts.moving.empty()) throw std::runtime_error("must hold at least one cast");
   return casts;
 }
 
 std::string results_of(const Casts& casts, const Environment& environment) {
   std::string text = casts.with_header ? "hit,time,px,py,pz,nx,ny,nz,feature,triangle\n" : "";
-  for (const auto& moving : casts.moving) text += line_of(sweep(moving, environment));
+  for (std::size_t i = 0; i < casts.moving.size(); ++i) {
+    const auto contact = sweep(casts.moving[i], environment);
+    if (contact && !(contact->normal.allFinite() && contact->point().allFinite()))
+      throw std::runtime_error("cast " + std::to_string(i + 1) + ": must stay within the range of numbers");
+    text += line_of(contact);
+  }
   return text;
 }
 

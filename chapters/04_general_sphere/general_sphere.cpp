@@ -188,11 +188,9 @@ void run_casts(Program& program, const Scene& scene, const Environment& environm
   if (program.given("--casts") != program.given("--results"))
     throw Refused("--results " + scene.results + ": must be given together with --casts " + scene.casts);
   if (!program.given("--casts")) return;
-  const Casts casts = program.checked("--casts", [&] { return read_casts(scene.casts); });
-  program.checked("--results", [&] {
-    write_file(scene.results, results_of(casts, environment));
-    return true;
-  });
+  const std::string results =
+      program.checked("--casts", [&] { return results_of(read_casts(scene.casts), environment); });
+  program.checked("--results", [&] { write_file(scene.results, results); });
 }
 
 }  // namespace
@@ -211,7 +209,7 @@ int main(int argc, char** argv) {
   program.option("--results", scene.results, "OUT.csv",
                  "their results: hit,time,px,py,pz,nx,ny,nz,feature,triangle");
   return program.run(argc, argv, [&] {
-    const auto moving = program.checked("--to", [&] {
+    const auto moving = program.checked({"--to", "--from"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
     });
     const Environment environment = environment_of(program, scene);

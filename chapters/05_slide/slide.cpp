@@ -21,7 +21,9 @@ using namespace first_contact::program;
 
 namespace {
 
-std::string at_least_one(double value) { return value >= 1 ? "" : "must be at least 1"; }
+std::string up_to_a_million(double value) {
+  return value >= 1 && value <= 1e6 ? "" : "must be from 1 to 1000000";
+}
 
 Text text_of(Ending ending) {
   switch (ending) {
@@ -206,10 +208,10 @@ int main(int argc, char** argv) {
   program.option("--from", scene.from, "x,y,z", "P1, centre of the sphere at the start");
   program.option("--to", scene.to, "x,y,z", "P2, where it is sent");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
-  program.option("--frames", frames, "n", "of the walk over each whole surface", at_least_one);
+  program.option("--frames", frames, "n", "of the walk over each whole surface", up_to_a_million);
   return program.run(argc, argv, [&] {
     const auto environment = program.checked("--mesh", [&] { return scene.environment(); });
-    const auto ball = program.checked("--to", [&] { return scene.ball(); });
+    const auto ball = program.checked({"--to", "--from"}, [&] { return scene.ball(); });
     const Slide path = slide(ball, environment);
     Report& report = program.report();
     report.title({"A sphere slides along what it meets", "碰撞後的滑行距離"}, "2.2");

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "first_contact/program/progress_line.hpp"
 #include "first_contact/response/slide.hpp"
 
 using namespace first_contact;
@@ -45,7 +46,9 @@ std::vector<walks::Walk> tell_walks(Program& program, const std::vector<walks::G
     head.push_back(program.say(text));
   report.also(Text{table_row("", head, head), table_row("", head, head)});
   std::vector<walks::Walk> all;
+  const ProgressLine progress("walks");
   for (const walks::Ground& ground : grounds) {
+    progress.show(static_cast<double>(all.size()) / static_cast<double>(grounds.size()));
     const walks::Walk& walk = all.emplace_back(walks::walk(ground, frames, 1));
     const std::string row =
         table_row(program.say(ground.name),

@@ -172,8 +172,8 @@ int main(int argc, char** argv) {
   program.option("--rq", scene.rq, "r", "radius of Q", not_negative);
   program.option("--interval", scene.interval, "a,b", "the times between which a contact counts");
   return program.run(argc, argv, [&] {
-    const auto p = program.checked("--p2", [&] { return scene.p(); });
-    const auto q = program.checked("--q2", [&] { return scene.q(); });
+    const auto p = program.checked({"--p2", "--p1", "--rp"}, [&] { return scene.p(); });
+    const auto q = program.checked({"--q2", "--q1", "--rq"}, [&] { return scene.q(); });
     const auto when = program.checked("--interval", [&] { return scene.when(); });
     const Meeting meeting(p, q, when);
     program.report().title({"Two moving spheres", "兩個移動球面的碰撞"}, "2.3");

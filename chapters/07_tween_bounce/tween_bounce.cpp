@@ -278,13 +278,6 @@ void give_results(Program& program, const Flight& flight) {
   program.result("/rest_time", flight.rest_time);
 }
 
-void save(const std::string& file, const Flight& flight) {
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  if (!std::filesystem::is_directory(folder)) throw Refused("must be in a folder that exists");
-  if (std::filesystem::is_directory(file)) throw Refused("must be a file, not a folder");
-  write_file(file, csv(flight));
-}
-
 std::string sample_count(double value) {
   return value >= 1 && value <= 1e6 ? "" : "must be from 1 to 1000000";
 }
@@ -307,13 +300,14 @@ int main(int argc, char** argv) {
                  "of the results, the file and figures 13 to 15");
   program.option("--csv", scene.csv, "FILE", "write the samples there, columns t,y");
   return program.run(argc, argv, [&] {
-    const auto motion = program.checked("--v0", [&] { return run_printed(scene, scene.v0); });
+    const std::vector<std::string> thrown{"--v0", "--y0", "--g", "--dt", "--samples", "--restitution"};
+    const auto motion = program.checked(thrown, [&] { return run_printed(scene, scene.v0); });
     const auto bounce =
-        program.checked("--v0", [&] { return Bounce(scene.y0, scene.v0, scene.g, scene.restitution); });
+        program.checked(thrown, [&] { return Bounce(scene.y0, scene.v0, scene.g, scene.restitution); });
     const Flight printed = tween_bounce::printed_flight(motion);
     const Flight physical = tween_bounce::physical_flight(bounce, scene.dt, scene.count());
     const Flight& flight = scene.model == "printed" ? printed : physical;
-    if (!scene.csv.empty()) program.checked("--csv", [&] { save(scene.csv, flight); });
+    if (!scene.csv.empty()) program.checked("--csv", [&] { write_file(scene.csv, csv(flight)); });
 
     Report& report = program.report();
     report.title({"A tween bounces: fast down, slow up", "移動補間動畫：下降快、反彈慢"}, "1.1, 2.4.2");

@@ -114,7 +114,12 @@ void tell_meeting(Report& report, const Encounter& encounter, const Outcome& out
 }
 
 double energy(const Encounter& encounter, const std::array<Vector2d, 2>& v) {
-  return (encounter.mass[0] * v[0].squaredNorm() + encounter.mass[1] * v[1].squaredNorm()) / 2;
+  double sum = 0;
+  for (const std::size_t i : {0U, 1U}) {
+    const double mass = encounter.mass[static_cast<int>(i)];
+    if (std::isfinite(mass)) sum += mass * v[i].squaredNorm() / 2;  // a wall's energy does not change
+  }
+  return sum;
 }
 
 void tell_outcome(Report& report, const Encounter& encounter, const Outcome& outcome) {
@@ -184,6 +189,7 @@ void give_results(Program& program, const Outcome& outcome, const std::string& p
 //! [notes]
 // Numbers that the notes speak of: of two discs, by both models.
 void note(Program& program, const std::string& name, const Encounter& encounter) {
+  if (!encounter.mass.allFinite()) return;  // of a wall program 4 knows nothing
   const Outcome printed = as_printed(encounter), corrected = at_contact(encounter);
   const Closest closest = closest_approach(encounter);
   program.value(name + "_closest_time", closest.time);
@@ -221,6 +227,10 @@ void show_paper_cases(Program& program) {
 }
 
 void show_one(Program& program, const Encounter& encounter, bool printed) {
+  if (printed && !encounter.mass.allFinite())
+    program.checked("--mass", []() -> void {
+      throw Refused("must be finite for program 4 (--model contact allows a wall)");
+    });
   const Outcome outcome = printed ? as_printed(encounter) : at_contact(encounter);
   program.report().say(printed ? Text{"As printed: program 4", "論文原式：程式4"}
                                : Text{"Corrected: do they meet, and with which normal?",
@@ -241,7 +251,8 @@ int main(int argc, char** argv) {
                   "Where two bodies go after an impact (paper, 2.4.2 (iii), program 4).");
   Encounter scene;
   std::string model = "printed";
-  program.option("--mass", scene.mass, "m1,m2", "masses of the two bodies", positive);
+  program.option("--mass", scene.mass, "m1,m2", "masses of the two bodies; inf for a wall", positive,
+                 Range::infinite_too);
   program.option("--p1", scene.p1, "x,y", "where body 1 starts");
   program.option("--p2", scene.p2, "x,y", "where body 2 starts");
   program.option("--v1", scene.v1, "x,y", "velocity of body 1");

@@ -39,7 +39,7 @@ export const otherPages = [
   {id: 'reading', title: 'How to read this', front: true},
   {id: 'library', title: 'The library, file by file', isLibrary: true},
   {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', isLibrary: true, folders: ['geometry']},
-  {id: 'library-mesh-io', title: 'Meshes in files, file by file', short: 'mesh_io', isLibrary: true, folders: ['mesh_io']},
+  {id: 'library-mesh-io', title: 'Meshes in files, file by file', short: 'mesh_io', isLibrary: true, folders: ['files', 'mesh_io']},
   {id: 'library-sweep', title: 'Sweeps, file by file', short: 'sweep', isLibrary: true, folders: ['sweep']},
   {id: 'library-trees', title: 'Trees, file by file', short: 'trees', isLibrary: true, folders: ['trees']},
   {id: 'library-bvh', title: 'The fast tree, file by file', short: 'bvh', isLibrary: true, folders: ['bvh/build', 'bvh/kernels', 'bvh/cast', 'bvh']},

@@ -1,11 +1,16 @@
 #include "run_program.hpp"
 
+#include <sys/wait.h>
+
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #include "first_contact/figure/child_process.hpp"
 #include "places.hpp"
@@ -17,13 +22,14 @@ namespace {
 
 std::string all_of(process::ipstream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
-std::string built(const std::string& name) { return std::string(first_contact::places::build) + "/bin/" + name; }
+std::string built(const std::string& name) {
+  return std::string(first_contact::places::build) + "/bin/" + name;
+}
 
 Run run(const std::string& file, const std::vector<std::string>& arguments, const fs::path& folder,
         const process::environment& environment) {
   process::ipstream out, err;
-  process::child child(file, process::args = arguments,
-                       process::start_dir = folder.string(),
+  process::child child(file, process::args = arguments, process::start_dir = folder.string(),
                        process::std_in<process::null, process::std_out> out, process::std_err > err,
                        environment);
   auto errors =
@@ -52,6 +58,29 @@ Run run_with(const std::string& variable, const std::string& value, const std::s
   process::environment environment = boost::this_process::environment();
   environment[variable] = value;
   return run(built(name), arguments, fs::temp_directory_path(), environment);
+}
+
+Run run_into(const std::string& file, const std::string& name, const std::vector<std::string>& arguments) {
+  process::ipstream err;
+  process::child child(built(name), process::args = arguments,
+                       process::std_in<process::null, process::std_out> file, process::std_err > err);
+  Run result{0, "", all_of(err)};
+  child.wait();
+  result.status = child.exit_code();
+  return result;
+}
+
+Run run_stopped(int signal, const std::map<std::string, std::string>& variables, const std::string& name,
+                const std::vector<std::string>& arguments) {
+  process::environment environment = boost::this_process::environment();
+  for (const auto& [variable, value] : variables) environment[variable] = value;
+  process::child child(built(name), process::args = arguments,
+                       process::std_in<process::null, process::std_out> process::null,
+                       process::std_err > process::null, environment);
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  kill(child.id(), signal);
+  child.wait();
+  return {WTERMSIG(child.native_exit_code()), "", ""};
 }
 
 TemporaryFolder::TemporaryFolder() {

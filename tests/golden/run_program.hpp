@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ Run run_command(const std::string& name, const std::vector<std::string>& argumen
 /// Runs it with another value of an environment variable.
 Run run_with(const std::string& variable, const std::string& value, const std::string& name,
              const std::vector<std::string>& arguments);
+
+/// Runs it with its standard output in a file or a device.
+Run run_into(const std::string& file, const std::string& name, const std::vector<std::string>& arguments);
+
+/// Runs it with other values of environment variables, and sends it a signal two seconds later; the status is
+/// the signal that it ended by.
+Run run_stopped(int signal, const std::map<std::string, std::string>& variables, const std::string& name,
+                const std::vector<std::string>& arguments);
 
 /// A new, empty folder, removed with all its content at the end.
 class TemporaryFolder {

@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // The reading order of the library: a folder needs only those before it.
-const std::vector<std::string> order{"geometry", "mesh_io",  "sweep",  "trees", "bvh",    "batch",
-                                     "pairs",    "response", "motion", "stage", "figure", "program"};
-const std::size_t mathematics = 10;  // the first ten are what a user gets with Eigen and Highway
+const std::vector<std::string> order{"geometry", "files",    "mesh_io", "sweep", "trees",  "bvh",    "batch",
+                                     "pairs",    "response", "motion",  "stage", "figure", "program"};
+const std::size_t mathematics = 11;  // the first eleven are what a user gets with Eigen and Highway
 
 std::size_t rank(const std::string& folder) {
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), folder) - order.begin());

@@ -243,7 +243,7 @@ void animate(const Program& program, const Flight& flight, int number) {
   if (number == 15) animate_fall(figure, flight, animation, moving);
   animation.ball(moments(flight, played), radius, colour::blue);
   write_pictures(figure, flight, moving);
-  draw_animated(program.studio(), name, figure, animation);
+  draw_animated(program.studio(), figure, animation);
 }
 
 }  // namespace

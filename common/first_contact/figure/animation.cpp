@@ -2,16 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <sstream>
-
-#include "first_contact/figure/render.hpp"
 
 namespace first_contact::figure {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Pictures are as precise as eyes are: a tenth of a point, a thousandth of the time.
 std::string rounded(double value, int digits = 1) {
@@ -179,18 +174,12 @@ Studio svg_only(Studio studio) {
   return studio;
 }
 
-void draw_animated(const Studio& studio, const std::string& name, Figure& figure,
-                   const Animation& animation) {
+void draw_animated(const Studio& studio, Figure& figure, const Animation& animation) {
   if (svg_only(studio).formats.empty()) return figure.draw();
-  const fs::path picture = studio.folder / (name + ".svg");
-  std::error_code ignored;
-  fs::remove(picture, ignored);  // so that what is there afterwards is what gnuplot drew now
-  figure.draw();
-  if (!fs::exists(picture)) return;  // without gnuplot there is the script alone
-  std::ostringstream svg;
-  svg << std::ifstream(picture, std::ios::binary).rdbuf();
-  std::ofstream(picture, std::ios::binary) << animation.over(svg.str());
-  render(studio, studio.folder / (name + ".gp"), "gif");
+  const auto svg = figure.picture("svg");
+  if (!svg) return;  // without gnuplot there is the script alone
+  figure.keep("svg", animation.over(*svg));
+  figure.keep("gif", figure.picture("gif").value());
 }
 
 std::string gif_terminal(const std::string& name, Size size, int delay, bool chinese) {

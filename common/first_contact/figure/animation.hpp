@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -75,7 +74,7 @@ class Animation {
 /// A figure that moves: `figure`'s script draws what rests, or as gif everything. Writes the script, and,
 /// where svg is wanted, the svg with what moves in it, and the gif. The figure must have been begun with
 /// svg_only(studio).
-void draw_animated(const Studio& studio, const std::string& name, Figure& figure, const Animation& animation);
+void draw_animated(const Studio& studio, Figure& figure, const Animation& animation);
 /// The same studio for pictures that are made as svg or not at all.
 Studio svg_only(Studio studio);
 

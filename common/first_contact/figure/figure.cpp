@@ -2,12 +2,13 @@
 
 #include <fstream>
 #include <iomanip>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "first_contact/figure/render.hpp"
 #include "first_contact/figure/style.hpp"
+#include "first_contact/figure/temporary_folder.hpp"
+#include "first_contact/files/input.hpp"
+#include "first_contact/files/output.hpp"
 
 #if __has_include(<gnuplot-iostream.h>)
 #include <gnuplot-iostream.h>
@@ -22,28 +23,21 @@ namespace first_contact::figure {
 
 namespace fs = std::filesystem;
 
-// gnuplot-iostream writes to a file when its name begins with '>'. The script appears under its name once it
-// is whole.
+// gnuplot-iostream writes to a file when its name begins with '>'. Script and pictures are made in a folder
+// of their own, and appear under their names once they are whole.
 struct Figure::Session {
-  explicit Session(const fs::path& file) : script(file), unfinished(file.string() + ".part") {
-    stream = std::make_unique<Gnuplot>(">" + unfinished.string());
+  explicit Session(const std::string& name) : script(folder.path() / (name + ".gp")) {
+    stream = std::make_unique<Gnuplot>(">" + script.string());
     *stream << std::defaultfloat << std::setprecision(9);
   }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-  ~Session() {
-    stream.reset();
-    std::error_code ignored;
-    fs::remove(unfinished, ignored);
-  }
 
-  fs::path script, unfinished;
-  std::unique_ptr<Gnuplot> stream;
+  TemporaryFolder folder;
+  fs::path script;
+  std::unique_ptr<Gnuplot> stream;  // until the script is whole
 };
 
 Figure::Figure(const Studio& studio, std::string name, Size size) : studio_(studio), name_(std::move(name)) {
-  fs::create_directories(studio_.folder);
-  session_ = std::make_unique<Session>(studio_.folder / (name_ + ".gp"));
+  session_ = std::make_unique<Session>(name_);
   script() << style(name_, size.width, size.height, studio_.chinese);
 }
 
@@ -62,13 +56,28 @@ void Figure::data(std::string_view name, const Table& rows, int digits) {
   out << "EOD\n" << std::setprecision(9);
 }
 
-void Figure::draw() {
-  const fs::path script_file = session_->script;
+void Figure::close() {
+  if (!session_->stream) return;
   session_->stream->flush();
-  if (!*session_->stream) throw std::runtime_error(script_file.string() + ": could not be written");
+  if (!*session_->stream) throw FileError(session_->script.string() + ": cannot be written");
   session_->stream.reset();
-  fs::rename(session_->unfinished, script_file);
-  for (const std::string& format : studio_.formats) render(studio_, script_file, format);
+  make_folder(studio_.folder);
+  keep("gp", read_file(session_->script));
+}
+
+std::optional<std::string> Figure::picture(const std::string& format) {
+  close();
+  return render(studio_, session_->script, format);
+}
+
+void Figure::keep(const std::string& format, const std::string& picture) const {
+  write_file(studio_.folder / (name_ + "." + format), picture);
+}
+
+void Figure::draw() {
+  close();
+  for (const std::string& format : studio_.formats)
+    if (const auto drawn = picture(format)) keep(format, *drawn);
 }
 
 }  // namespace first_contact::figure

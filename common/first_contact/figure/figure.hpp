@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ struct Studio {
   std::vector<std::string> formats = {"svg"};  ///< of svg, png, pdf
   std::string theme = "light";      ///< light, dark or grey, for png and pdf; an svg follows its reader
   bool chinese = false;             ///< labels in Traditional Chinese: another font
-  std::string gnuplot = "gnuplot";  ///< the program that draws
+  std::string gnuplot = "gnuplot";  ///< the program that draws: a name, or a path
+  double patience = 120;            ///< seconds that it may take for a picture
   std::string own;                  ///< a file of gnuplot commands read after the house style, or empty
 };
 
@@ -50,10 +52,19 @@ class Figure {
   void data(std::string_view name, const Table& rows, int digits = 9);
   /// Closes the script and draws its pictures. Where gnuplot is not installed the script is all there is, and
   /// one line on standard error says so, once.
+  /// \throws FileError if a file cannot be written.
   /// \throws std::runtime_error with gnuplot's own words if it fails.
   void draw();
+  /// Closes the script and has gnuplot draw it in that format; nothing if gnuplot is not installed.
+  /// \throws what `draw` throws.
+  std::optional<std::string> picture(const std::string& format);
+  /// Writes a picture beside the script.
+  /// \throws FileError if it cannot be written.
+  void keep(const std::string& format, const std::string& picture) const;
 
  private:
+  void close();
+
   struct Session;
   const Studio studio_;
   const std::string name_;

@@ -1,13 +1,17 @@
 #include "first_contact/figure/render.hpp"
 
-#include <fstream>
+#include <array>
 #include <iostream>
-#include <iterator>
-#include <sstream>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
-#include "first_contact/figure/child_process.hpp"
+#include "first_contact/figure/gnuplot.hpp"
+#include "first_contact/figure/letters.hpp"
 #include "first_contact/figure/style.hpp"
+#include "first_contact/files/input.hpp"
+#include "first_contact/files/printable.hpp"
 
 namespace first_contact::figure {
 
@@ -15,64 +19,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// gnuplot counts the pictures of an animation aloud, "25 frames in animation sequence": no complaint, all
-// else is one.
-bool is_count_of_frames(const std::string& said) {
-  constexpr std::string_view rest = " frames in animation sequence";
-  const std::size_t number = said.find_first_not_of("0123456789");
-  return number != 0 && number != std::string::npos && said.substr(number, rest.size()) == rest &&
-         said.find_first_not_of(" \n", number + rest.size()) == std::string::npos;
+void tell_once(const std::string& note) {
+  static std::set<std::string> told;
+  if (told.insert(note).second) std::cerr << "note: " << note << '\n';
 }
 
-// A text as gnuplot takes it literally.
-std::string quoted(const std::string& text) {
-  std::string literal = "'";
-  for (const char letter : text) literal += letter == '\'' ? "''" : std::string(1, letter);
-  return literal + "'";
-}
-
-// What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count.
-void run_gnuplot(const std::string& program, const Studio& studio, const fs::path& script,
-                 const std::string& format) {
-  process::ipstream complaints;
-  process::environment environment = boost::this_process::environment();
-  environment["LC_ALL"] = "C.UTF-8";  // else its conversion of a degree sign fails
-  std::vector<std::string> arguments{"-e", "format='" + format + "'", "-e",
-                                     "theme='" + (format == "svg" ? "light" : studio.theme) + "'"};
-  if (!studio.own.empty())
-    arguments.insert(arguments.end(), {"-e", "own=" + quoted(fs::absolute(studio.own).string())});
-  arguments.push_back(script.filename().string());
-  process::child gnuplot(program, process::args = arguments,
-                         process::start_dir = script.parent_path().string(), process::std_out > process::null,
-                         process::std_err > complaints, environment);
-  const std::string said{std::istreambuf_iterator<char>(complaints), {}};
-  gnuplot.wait();
-  if (gnuplot.exit_code() != 0 || !(said.empty() || is_count_of_frames(said)))
-    throw std::runtime_error("gnuplot, drawing " + script.string() + ", ended with status " +
-                             std::to_string(gnuplot.exit_code()) + " and said: " + said);
-}
-
-void theme_in_place(const fs::path& picture) {
-  std::ostringstream svg;
-  svg << std::ifstream(picture).rdbuf();
-  std::ofstream(picture) << themed(svg.str());
-}
-
-void explain_once(const std::string& gnuplot) {
-  static bool explained = false;
-  if (!std::exchange(explained, true))
-    std::cerr << "note: '" << gnuplot << "' was not found, so there are scripts (.gp) but no pictures; "
-              << "install the package gnuplot-nox to draw them\n";
+// What tools and what the user's eyes find at the end of a picture.
+std::string_view last_bytes(const std::string& format) {
+  using namespace std::string_view_literals;
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> ends{
+      {{"svg", "</svg>"}, {"png", "IEND\xAE\x42\x60\x82"}, {"pdf", "%%EOF"}, {"gif", "\0;"sv}}};
+  for (const auto& [name, end] : ends)
+    if (name == format) return end;
+  return "";
 }
 
 }  // namespace
 
-void render(const Studio& studio, const fs::path& script, const std::string& format) {
-  const std::string program = process::search_path(studio.gnuplot).string();
-  if (program.empty()) return explain_once(studio.gnuplot);
-  const fs::path whole = fs::absolute(script);
-  run_gnuplot(program, studio, whole, format);
-  if (format == "svg") theme_in_place(fs::path(whole).replace_extension("svg"));
+bool is_whole(const std::string& picture, const std::string& format) {
+  const std::size_t end = picture.find_last_not_of(" \r\n") + 1;
+  return !picture.empty() && std::string_view(picture).substr(0, end).ends_with(last_bytes(format));
+}
+
+std::optional<std::string> render(const Studio& studio, const fs::path& script, const std::string& format) {
+  const fs::path program = find_gnuplot(studio.gnuplot);
+  if (program.empty()) {
+    tell_once("'" + printable(studio.gnuplot) +
+              "' was not found, so there are scripts (.gp) but no pictures; " +
+              "install the package gnuplot-nox to draw them");
+    return std::nullopt;
+  }
+  const std::string missing = format == "svg" ? "" : missing_letters(studio.chinese);
+  if (!missing.empty()) tell_once(missing);
+  run_gnuplot(program, studio, script, format);
+  const fs::path picture = fs::path(script).replace_extension(format);
+  const std::string drawn = fs::exists(picture) ? read_file(picture) : "";
+  if (!is_whole(drawn, format))
+    throw std::runtime_error(program.string() + " ended with status 0 but drew no whole " +
+                             picture.filename().string() + ": must be a gnuplot that works");
+  return format == "svg" ? themed(drawn) : drawn;
 }
 
 }  // namespace first_contact::figure

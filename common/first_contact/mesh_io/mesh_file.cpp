@@ -3,27 +3,28 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
-#include <fstream>
-#include <iterator>
+#include <new>
 #include <string>
 
+#include "first_contact/files/decimal.hpp"
+#include "first_contact/files/input.hpp"
+#include "first_contact/files/output.hpp"
+#include "first_contact/files/printable.hpp"
 #include "first_contact/mesh_io/mesh_formats.hpp"
 
 namespace first_contact {
 namespace {
 
 MeshBytes load(const std::filesystem::path& file, const ReadingProgress& progress) {
-  std::error_code ignored;
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file, ignored))
-    throw MeshFileError(file.string() + ": must be a file that exists and can be read");
   MeshBytes loaded;
   loaded.name = file.string();
-  loaded.bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   loaded.progress = progress;
-  if (in.bad()) throw MeshFileError(file.string() + ": cannot be read to its end");
-  if (loaded.bytes.empty()) throw MeshFileError(file.string() + ": is empty, must hold a mesh");
+  try {
+    loaded.bytes = read_file(file);
+  } catch (const FileError& error) {
+    throw MeshFileError(error.what());
+  }
+  if (loaded.bytes.empty()) throw MeshFileError(printable(loaded.name) + ": is empty, must hold a mesh");
   return loaded;
 }
 
@@ -34,10 +35,32 @@ std::string lower_ending(const std::filesystem::path& file) {
   return ending;
 }
 
-// The fewest digits that are read back as the same double.
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+using Reader = RawMesh (*)(const MeshBytes&);
+
+Reader reader_of(const std::filesystem::path& file) {
+  constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
+      {{".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}}};
+  const std::string ending = lower_ending(file);
+  for (const auto& [name, read] : readers)
+    if (ending == name) return read;
+  throw MeshFileError(printable(file.string()) + ": the name must end in .obj, .off, .ply or .stl");
+}
+
+Mesh triangulated(const MeshBytes& file, RawMesh raw, ReadingNotes* notes) {
+  if (raw.faces.size() == 0)
+    throw MeshFileError(printable(file.name) + ": holds no face, must hold at least one");
+  std::vector<Mesh::Face> faces;
+  ReadingNotes found;
+  for (std::size_t i = 0; i < raw.faces.size(); ++i) {
+    const Cut cut = add_triangles(faces, raw.vertices, raw.faces[i]);
+    if (cut == Cut::too_long)
+      throw MeshFileError(printable(file.name) + ", face " + std::to_string(i + 1) +
+                          ": is not convex, and so must have at most " + std::to_string(most_corners) +
+                          " corners");
+    found.crossing += cut == Cut::crossing;
+  }
+  if (notes != nullptr) *notes = found;
+  return {std::move(raw.vertices), std::move(faces)};
 }
 
 std::string as_off(const Mesh& mesh) {
@@ -52,31 +75,21 @@ std::string as_off(const Mesh& mesh) {
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& file, const ReadingProgress& progress) {
-  using Reader = Mesh (*)(const MeshBytes&);
-  constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
-      {{".obj", read_obj}, {".off", read_off}, {".ply", read_ply}, {".stl", read_stl}}};
-  const std::string ending = lower_ending(file);
-  for (const auto& [name, read] : readers)
-    if (ending == name) {
-      const MeshBytes loaded = load(file, progress);
-      Mesh mesh = read(loaded);
-      if (mesh.size() == 0) throw MeshFileError(loaded.name + ": holds no face, must hold at least one");
-      if (progress) progress(1);
-      return mesh;
-    }
-  throw MeshFileError(file.string() + ": the name must end in .obj, .off, .ply or .stl");
+Mesh read_mesh(const MeshBytes& file, ReadingNotes* notes) {
+  try {
+    Mesh mesh = triangulated(file, reader_of(file.name)(file), notes);
+    if (file.progress) file.progress(1);
+    return mesh;
+  } catch (const std::bad_alloc&) {
+    throw MeshFileError(printable(file.name) + ": needs more memory than there is");
+  }
 }
 
-void write_off(const std::filesystem::path& file, const Mesh& mesh) {
-  std::filesystem::path part = file;
-  part += ".part";
-  const bool written = bool(std::ofstream(part, std::ios::binary) << as_off(mesh) << std::flush);
-  std::error_code error;
-  if (written) std::filesystem::rename(part, file, error);
-  if (written && !error) return;
-  std::filesystem::remove(part, error);
-  throw std::runtime_error(file.string() + ": cannot be written");
+Mesh read_mesh(const std::filesystem::path& file, const ReadingProgress& progress, ReadingNotes* notes) {
+  reader_of(file);  // the name is looked at before the file is
+  return read_mesh(load(file, progress), notes);
 }
+
+void write_off(const std::filesystem::path& file, const Mesh& mesh) { write_file(file, as_off(mesh)); }
 
 }  // namespace first_contact

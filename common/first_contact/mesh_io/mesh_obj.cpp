@@ -1,21 +1,17 @@
 #include "first_contact/mesh_io/mesh_formats.hpp"
+#include "first_contact/mesh_io/text_lines.hpp"
 
 namespace first_contact {
 namespace {
 
-// The line just read, joined with those that follow while it ends in a backslash.
-std::vector<std::string> statement(TextLines& lines) {
-  std::vector<std::string> words(lines.words().begin(), lines.words().end());
-  while (words.back() == "\\") {
-    lines.require_next("a line follows a backslash");
-    words.pop_back();
-    words.insert(words.end(), lines.words().begin(), lines.words().end());
-  }
-  return words;
+// "v x y z", and perhaps a weight or a colour.
+Point vertex(const TextLines& lines) {
+  for (std::size_t i = 4; i < lines.words().size(); ++i) lines.any_number(i);
+  return lines.point(1);
 }
 
-// "a/b/c" or "a": corner a, counted from 1; from the last vertex so far, if negative. Checked when all are
-// known.
+// "a", "a/b", "a//c" or "a/b/c": corner a, counted from 1; from the last vertex so far, if negative. Whether
+// there is such a vertex is checked when all are known.
 std::uint32_t corner(const TextLines& lines, std::string_view word, std::size_t vertices_so_far) {
   const std::int64_t number = lines.whole(word.substr(0, word.find('/')));
   const std::int64_t from_zero =
@@ -25,30 +21,47 @@ std::uint32_t corner(const TextLines& lines, std::string_view word, std::size_t 
   return static_cast<std::uint32_t>(from_zero);
 }
 
+// What stands behind a corner's first slash: the numbers of a texture coordinate, of a normal, or of both.
+void check_slashes(const TextLines& lines, std::string_view word) {
+  std::size_t slash = word.find('/');
+  for (int numbers = 0; slash != word.npos; ++numbers) {
+    const std::size_t next = word.find('/', slash + 1);
+    const std::string_view number = word.substr(slash + 1, next == word.npos ? next : next - slash - 1);
+    const bool left_out = number.empty() && numbers == 0 && next != word.npos;
+    if (numbers == 2 || (!left_out && (number.empty() || lines.whole(number) == 0)))
+      lines.refuse(in_quotes(word) + ": must be a, a/b, a//c or a/b/c, each a number but 0");
+    slash = next;
+  }
+}
+
+void check_corners(const MeshBytes& file, const RawMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+    for (const std::uint32_t vertex : mesh.faces[i])
+      if (vertex >= mesh.vertices.size())
+        file.refuse_line(mesh.faces.place(i), "vertex " + std::to_string(vertex + 1) +
+                                                  ": must be from 1 to " +
+                                                  std::to_string(mesh.vertices.size()));
+}
+
 }  // namespace
 
-Mesh read_obj(const MeshBytes& file) {
-  std::vector<Point> vertices;
-  std::vector<Mesh::Face> faces;
-  std::vector<std::size_t> line_of_face;
-  for (TextLines lines(file, '#'); lines.next();) {
-    if (lines.words()[0] == "v") vertices.push_back(lines.point(1));
+RawMesh read_obj(const MeshBytes& file) {
+  file.refuse_wrappings();
+  RawMesh mesh;
+  std::vector<std::uint32_t> polygon;
+  for (TextLines lines(file, {.comment = '#', .continues = true}); lines.next();) {
+    if (lines.words()[0] == "v") mesh.vertices.push_back(vertex(lines));
     if (lines.words()[0] != "f") continue;
-    std::vector<std::uint32_t> polygon;
-    const std::vector<std::string> words = statement(lines);
-    for (std::size_t i = 1; i < words.size(); ++i)
-      polygon.push_back(corner(lines, words[i], vertices.size()));
+    polygon.clear();
+    for (std::size_t i = 1; i < lines.words().size(); ++i) {
+      check_slashes(lines, lines.words()[i]);
+      polygon.push_back(corner(lines, lines.words()[i], mesh.vertices.size()));
+    }
     if (polygon.size() < 3) lines.refuse("a face must have at least 3 corners");
-    add_fan(faces, polygon);
-    line_of_face.resize(faces.size(), lines.line());
+    mesh.faces.add(polygon, lines.line());
   }
-  // A face may stand before its vertices.
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (const std::uint32_t vertex : faces[i])
-      if (vertex >= vertices.size())
-        file.refuse_line(line_of_face[i], "vertex " + std::to_string(vertex + 1) + ": must be from 1 to " +
-                                              std::to_string(vertices.size()));
-  return {std::move(vertices), std::move(faces)};
+  check_corners(file, mesh);  // at last: a face may stand before its vertices
+  return mesh;
 }
 
 }  // namespace first_contact

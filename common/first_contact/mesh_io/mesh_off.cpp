@@ -1,25 +1,38 @@
-#include <algorithm>
-
 #include "first_contact/mesh_io/mesh_formats.hpp"
+#include "first_contact/mesh_io/text_lines.hpp"
 
 namespace first_contact {
 namespace {
 
 struct Header {
-  bool more_than_positions;  // normals, colours or texture coordinates follow each position
+  std::size_t least,
+      most;  // numbers of a vertex: its position, and what the name of the format promises besides
   std::int64_t vertices;
   std::int64_t faces;
 };
 
-Header read_header(TextLines& lines) {
-  lines.require_next("the header OFF is missing");
+// "OFF", or with ST for texture coordinates, C for a colour, N for a normal before it.
+void read_name(const TextLines& lines, Header& header) {
+  struct Prefix {
+    std::string_view letters;
+    std::size_t least, most;
+  };
   std::string_view name = lines.words()[0];
-  for (const std::string_view prefix : {"ST", "C", "N"})
-    if (name.starts_with(prefix)) name.remove_prefix(prefix.size());
+  header.least = header.most = 3;
+  for (const Prefix& prefix : {Prefix{"ST", 2, 2}, Prefix{"C", 1, 4}, Prefix{"N", 3, 3}}) {
+    if (!name.starts_with(prefix.letters)) continue;
+    name.remove_prefix(prefix.letters.size());
+    header.least += prefix.least;
+    header.most += prefix.most;
+  }
   if (name != "OFF")
     lines.refuse("must begin with OFF (or COFF, NOFF, STOFF and their like, in three dimensions)");
-  const bool prefixed = lines.words()[0] != "OFF";
+}
 
+Header read_header(TextLines& lines) {
+  lines.require_next("the header OFF is missing");
+  Header header{};
+  read_name(lines, header);
   std::size_t first = 1;  // the counts may stand behind the name, or on a line of their own
   if (lines.words().size() == 1) {
     lines.require_next("the counts of vertices and faces are missing");
@@ -27,9 +40,20 @@ Header read_header(TextLines& lines) {
   }
   if (lines.words()[first] == "BINARY") lines.refuse("binary OFF is not supported: must be text");
   if (lines.words().size() < first + 2) lines.refuse("must have the counts of vertices, faces and edges");
-  const Header header{prefixed, lines.whole(lines.words()[first]), lines.whole(lines.words()[first + 1])};
+  header.vertices = lines.whole(lines.words()[first]);
+  header.faces = lines.whole(lines.words()[first + 1]);
   if (header.vertices < 0 || header.faces < 0) lines.refuse("a count must not be negative");
   return header;
+}
+
+Point read_vertex(const TextLines& lines, const Header& header) {
+  const std::size_t numbers = lines.words().size();
+  const Point position = lines.point(0);
+  if (numbers < header.least || numbers > header.most)
+    lines.refuse("a vertex must have " + std::to_string(header.least) +
+                 (header.most == header.least ? "" : " to " + std::to_string(header.most)) + " numbers");
+  for (std::size_t i = 3; i < numbers; ++i) lines.any_number(i);
+  return position;
 }
 
 std::string progress(std::int64_t done, std::int64_t promised, const std::string& what) {
@@ -55,23 +79,21 @@ std::vector<std::uint32_t> read_polygon(const TextLines& lines, std::size_t vert
 
 }  // namespace
 
-Mesh read_off(const MeshBytes& file) {
-  TextLines lines(file, '#');
+RawMesh read_off(const MeshBytes& file) {
+  file.refuse_wrappings();
+  TextLines lines(file, {.comment = '#'});
   const Header header = read_header(lines);
-  std::vector<Point> vertices;
+  RawMesh mesh;
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     lines.require_next(progress(i, header.vertices, "vertices"));
-    vertices.push_back(lines.point(0));
-    if (!header.more_than_positions && lines.words().size() != 3)
-      lines.refuse("a vertex must have 3 numbers");
+    mesh.vertices.push_back(read_vertex(lines, header));
   }
-  std::vector<Mesh::Face> faces;
   for (std::int64_t i = 0; i < header.faces; ++i) {
     lines.require_next(progress(i, header.faces, "faces"));
-    add_fan(faces, read_polygon(lines, vertices.size()));
+    mesh.faces.add(read_polygon(lines, mesh.vertices.size()), lines.line());
   }
   if (lines.next()) lines.refuse("more follows than the counts promise");
-  return {std::move(vertices), std::move(faces)};
+  return mesh;
 }
 
 }  // namespace first_contact

@@ -1,38 +1,48 @@
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "first_contact/geometry/weld.hpp"
 #include "first_contact/mesh_io/mesh_formats.hpp"
+#include "first_contact/mesh_io/text_lines.hpp"
 
 namespace first_contact {
 namespace {
 
 // STL repeats each corner in every triangle: equal positions become one vertex, in the order of their first.
-Mesh mesh_of(const std::vector<Point>& corners) {
+RawMesh mesh_of(const std::vector<Point>& corners) {
   const std::vector<std::uint32_t> lowest = welded(corners);
-  std::vector<Point> vertices;
+  RawMesh mesh;
   std::vector<std::uint32_t> number(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const bool is_new = lowest[i] == i;
-    number[i] = is_new ? static_cast<std::uint32_t>(vertices.size()) : number[lowest[i]];
-    if (is_new) vertices.push_back(corners[i]);
+    number[i] = is_new ? static_cast<std::uint32_t>(mesh.vertices.size()) : number[lowest[i]];
+    if (is_new) mesh.vertices.push_back(corners[i]);
   }
-  std::vector<Mesh::Face> faces;
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-    faces.push_back({number[i], number[i + 1], number[i + 2]});
-  return {std::move(vertices), std::move(faces)};
+  for (std::size_t i = 0; i < corners.size(); i += 3) mesh.faces.add(std::span(number).subspan(i, 3), i / 3);
+  return mesh;
+}
+
+// A word of STL in small letters: both are in use.
+std::string lower(std::string_view word) {
+  std::string letters(word);
+  for (char& letter : letters)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return letters;
 }
 
 // The lines facet, outer loop, vertex (three), endloop, endfacet, between solid and endsolid. The normal of a
 // facet is not read: it follows from the corners.
-Mesh read_text(const MeshBytes& file) {
+RawMesh read_text(const MeshBytes& file) {
   std::vector<Point> corners;
   std::size_t in_loop = 0;
   bool open = false;  // between solid and endsolid
   TextLines lines(file);
   while (lines.next()) {
-    const std::string_view word = lines.words()[0];
-    if (open == (word == "solid")) lines.refuse("solid and endsolid must alternate");
+    const std::string word = lower(lines.words()[0]);
+    if (!open && word != "solid")
+      lines.refuse("must be solid: a text begins with it, and so does each of its parts");
+    if (open && word == "solid") lines.refuse("solid and endsolid must alternate");
     if (word == "vertex") {
       corners.push_back(lines.point(1));
       ++in_loop;
@@ -42,7 +52,7 @@ Mesh read_text(const MeshBytes& file) {
     } else if (word == "solid" || word == "endsolid") {
       open = word == "solid";
     } else if (word != "facet" && word != "outer" && word != "endfacet") {
-      lines.refuse("\"" + std::string(word) + "\": must be a line of an STL file");
+      lines.refuse(in_quotes(lines.words()[0]) + ": must be a line of an STL file");
     }
     if (!open && in_loop > 0) lines.refuse("the last facet is not complete");
   }
@@ -67,14 +77,20 @@ Point point_at(const MeshBytes& file, std::size_t byte) {
 }
 
 // 80 bytes of any kind, the count, and for each triangle 50 bytes: its normal, three corners, two bytes more.
-Mesh read_binary(const MeshBytes& file) {
-  constexpr std::size_t header = 84, record = 50;
+constexpr std::size_t header = 84, record = 50;
+
+bool fills_its_count(const MeshBytes& file) {
+  return file.bytes.size() >= header && file.bytes.size() - header == record * std::size_t{word_at(file, 80)};
+}
+
+RawMesh read_binary(const MeshBytes& file) {
   if (file.bytes.size() < header)
     file.refuse_byte(file.bytes.size(), "the file ends early: STL has 84 bytes of header");
-  const std::size_t count = word_at(file, 80), have = file.bytes.size() - header;
-  if (have != record * count)
+  if (!fills_its_count(file)) {
+    const std::size_t count = word_at(file, 80), have = file.bytes.size() - header;
     file.refuse_byte(80, std::to_string(count) + " triangles need " + std::to_string(record * count) +
                              " bytes after the header, not " + std::to_string(have));
+  }
   std::vector<Point> corners;
   for (std::size_t byte = header + 12; byte < file.bytes.size(); byte += record) {
     file.reached(byte);
@@ -83,12 +99,16 @@ Mesh read_binary(const MeshBytes& file) {
   return mesh_of(corners);
 }
 
+// Text has no byte 0; what is binary has one in its count, or its numbers, at the latest.
+bool is_text(const MeshBytes& file) { return file.bytes.find('\0') == std::string::npos; }
+
 }  // namespace
 
-Mesh read_stl(const MeshBytes& file) {
-  // Binary files, too, may begin with "solid"; but theirs is the byte 0, in the count at the latest.
-  const bool is_text = file.bytes.starts_with("solid") && file.bytes.find('\0') == std::string::npos;
-  return is_text ? read_text(file) : read_binary(file);
+RawMesh read_stl(const MeshBytes& file) {
+  // Binary files, too, may begin with "solid", and what is packed may look like a binary one: the size tells.
+  if (fills_its_count(file)) return read_binary(file);
+  file.refuse_wrappings();
+  return is_text(file) ? read_text(file) : read_binary(file);
 }
 
 }  // namespace first_contact

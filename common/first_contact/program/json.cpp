@@ -49,4 +49,11 @@ std::string to_string(const Json& json) {
   return text;
 }
 
+std::string beyond_all_numbers(const Json& json) {
+  const Json flat = json.flatten();
+  for (const auto& [place, value] : flat.items())
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) return place;
+  return "";
+}
+
 }  // namespace first_contact::program

@@ -11,4 +11,7 @@ using Json = nlohmann::ordered_json;
 /// null.
 std::string to_string(const Json& json);
 
+/// The place of a number that is infinite or none, as a JSON pointer; empty if there is no such number.
+std::string beyond_all_numbers(const Json& json);
+
 }  // namespace first_contact::program

@@ -1,28 +1,28 @@
 #include "first_contact/program/numbers.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "first_contact/files/decimal.hpp"
 
 namespace first_contact::program {
 
-double number_of(const std::string& text) {
-  double value = 0;
-  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last) throw Refused("must be a number");
-  if (!std::isfinite(value)) throw Refused("must be finite");
-  return value;
+double number_of(const std::string& text, Range range) {
+  const bool plus = text.starts_with('+') && !text.starts_with("+-");
+  const auto value = decimal(std::string_view(text).substr(plus ? 1 : 0));
+  if (!value) throw Refused("must be a number");
+  if (range == Range::finite && !std::isfinite(*value)) throw Refused("must be finite");
+  if (std::isnan(*value)) throw Refused("must be a number");
+  return *value;
 }
 
-std::vector<double> numbers_of(const std::string& text, std::size_t count) {
+std::vector<double> numbers_of(const std::string& text, std::size_t count, Range range) {
   std::vector<double> numbers;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     try {
-      numbers.push_back(number_of(text.substr(begin, end - begin)));
+      numbers.push_back(number_of(text.substr(begin, end - begin), range));
     } catch (const Refused& error) {
       throw Refused("each part " + std::string(error.what()));
     }

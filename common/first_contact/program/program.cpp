@@ -3,13 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <map>
+#include <new>
 #include <optional>
 
+#include "first_contact/figure/interruption.hpp"
+#include "first_contact/files/output.hpp"
+#include "first_contact/files/printable.hpp"
+#include "first_contact/program/command_line.hpp"
 #include "first_contact/program/json.hpp"
 #include "first_contact/program/numbers.hpp"
 
@@ -22,27 +26,18 @@ void obey(const Program::Rule& rule, double value) {
   if (!broken.empty()) throw Refused(broken);
 }
 
+constexpr std::size_t most_of_a_message = 2000;  // bytes
+
+int all_printed() {
+  std::cout.flush();
+  if (!std::cout) throw std::runtime_error("standard output: could not be written");
+  return 0;
+}
+
 std::string joined(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) text += (text.empty() ? "" : ",") + readable(number);
   return text;
-}
-
-// `--p1 -1,8`: a value that begins with a minus sign is joined to its option, or it would be taken for
-// another option.
-std::vector<std::string> joined_values(int argc, char** argv) {
-  std::vector<std::string> arguments;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    const bool negative = argument.size() > 1 && argument[0] == '-' && argument[1] != '-';
-    const bool after_option = !arguments.empty() && arguments.back().starts_with("--") &&
-                              arguments.back().find('=') == std::string::npos;
-    if (negative && after_option)
-      arguments.back() += "=" + argument;
-    else
-      arguments.push_back(argument);
-  }
-  return {arguments.rbegin(), arguments.rend()};  // CLI11 wants them last first
 }
 
 }  // namespace
@@ -53,6 +48,7 @@ struct Program::Inside {
   CLI::App line;
   std::string name;
   std::map<std::string, std::string> given;  // option -> its text
+  std::vector<std::string> own_options;      // of the chapter, which its numbers depend on
   std::vector<std::function<void()>> checks;
   std::string out, language = "en", theme = "light", format = "svg", values_file;
   bool as_json = false, no_figures = false;
@@ -78,7 +74,7 @@ struct Program::Inside {
       try {
         take(found->second);
       } catch (const std::exception& error) {
-        throw Refused(option + " " + found->second + ": " + error.what());
+        throw Refused(option + " " + printable(found->second) + ": " + error.what());
       }
     });
   }
@@ -135,9 +131,15 @@ Program::Program(std::string name, const std::string& chapter, const std::string
 
 Program::~Program() = default;
 
+void Program::add(const std::string& name, const std::string& letters, const std::string& help,
+                  const std::string& value, std::function<void(const std::string&)> take) {
+  inside_->own_options.push_back(name);
+  inside_->add(name, letters, help, value, std::move(take));
+}
+
 void Program::option(const std::string& name, double& value, const std::string& letters,
                      const std::string& help, const Rule& rule) {
-  inside_->add(name, letters, help, readable(value), [&value, rule](const std::string& text) {
+  add(name, letters, help, readable(value), [&value, rule](const std::string& text) {
     const double number = number_of(text);
     obey(rule, number);
     value = number;
@@ -146,7 +148,7 @@ void Program::option(const std::string& name, double& value, const std::string& 
 
 void Program::option(const std::string& name, long& value, const std::string& letters,
                      const std::string& help, const Rule& rule) {
-  inside_->add(name, letters, help, std::to_string(value), [&value, rule](const std::string& text) {
+  add(name, letters, help, std::to_string(value), [&value, rule](const std::string& text) {
     long number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size()) throw Refused("must be a whole number");
@@ -157,17 +159,16 @@ void Program::option(const std::string& name, long& value, const std::string& le
 
 void Program::option(const std::string& name, Vector& value, const std::string& letters,
                      const std::string& help) {
-  inside_->add(name, letters, help, joined({value.x(), value.y(), value.z()}),
-               [&value](const std::string& text) {
-                 const auto numbers = numbers_of(text, 3);
-                 value = {numbers[0], numbers[1], numbers[2]};
-               });
+  add(name, letters, help, joined({value.x(), value.y(), value.z()}), [&value](const std::string& text) {
+    const auto numbers = numbers_of(text, 3);
+    value = {numbers[0], numbers[1], numbers[2]};
+  });
 }
 
 void Program::option(const std::string& name, Eigen::Vector2d& value, const std::string& letters,
-                     const std::string& help, const Rule& rule) {
-  inside_->add(name, letters, help, joined({value.x(), value.y()}), [&value, rule](const std::string& text) {
-    const auto numbers = numbers_of(text, 2);
+                     const std::string& help, const Rule& rule, Range range) {
+  add(name, letters, help, joined({value.x(), value.y()}), [&value, rule, range](const std::string& text) {
+    const auto numbers = numbers_of(text, 2, range);
     for (const double number : numbers) obey(rule, number);
     value = {numbers[0], numbers[1]};
   });
@@ -176,7 +177,7 @@ void Program::option(const std::string& name, Eigen::Vector2d& value, const std:
 void Program::option(const std::string& name, Plane& value, const std::string& letters,
                      const std::string& help) {
   const Homogeneous& e = value.coefficients();
-  inside_->add(name, letters, help, joined({e.x(), e.y(), e.z(), e.w()}), [&value](const std::string& text) {
+  add(name, letters, help, joined({e.x(), e.y(), e.z(), e.w()}), [&value](const std::string& text) {
     const auto numbers = numbers_of(text, 4);
     value = Plane({numbers[0], numbers[1], numbers[2]}, numbers[3]);
   });
@@ -184,7 +185,7 @@ void Program::option(const std::string& name, Plane& value, const std::string& l
 
 void Program::option(const std::string& name, std::string& value, const std::string& letters,
                      const std::string& help) {
-  inside_->add(name, letters, help, value, [&value](const std::string& text) {
+  add(name, letters, help, value, [&value](const std::string& text) {
     if (text.empty()) throw Refused("must not be empty");
     value = text;
   });
@@ -197,45 +198,72 @@ void Program::option(const std::string& name, std::string& value, const std::vec
 
 bool Program::given(const std::string& name) const { return inside_->given.contains(name); }
 
-std::string Program::text_of(const std::string& name) const {
-  const auto found = inside_->given.find(name);
-  return found == inside_->given.end() ? "(its default)" : found->second;
+// "--r 1,0,0, --s 1,1,0": the options of these that were given, with their values.
+std::string Program::told(const std::vector<std::string>& names) const {
+  std::string all;
+  for (const std::string& name : names)
+    if (given(name)) all += (all.empty() ? "" : ", ") + name + " " + printable(inside_->given.at(name));
+  return all.empty() ? names.front() + " (its default)" : all;
 }
 
+// What the chapter did not foresee is refused in the name of all options that were given to it.
+void Program::run_chapter(const std::function<void()>& chapter) {
+  Inside& in = *inside_;
+  try {
+    chapter();
+    for (const Json* results : {&in.json, &in.values}) {
+      const std::string place = beyond_all_numbers(*results);
+      if (!place.empty())
+        throw std::invalid_argument("must not lead beyond the range of numbers, as " + place + " does");
+    }
+  } catch (const FileError& error) {  // of a figure
+    throw Refused("--out " + printable(in.out) + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    const auto& own = in.own_options;
+    if (std::none_of(own.begin(), own.end(), [&](const auto& name) { return given(name); })) throw;
+    throw Refused(told(own) + ": " + error.what());
+  }
+}
+
+// All of the line is checked before anything is done, and all is done before anything is printed.
 int Program::execute(int argc, char** argv, const std::function<void()>& chapter) {
   Inside& in = *inside_;
-  in.line.parse(joined_values(argc, argv));
+  try {
+    in.line.parse(arguments_of(in.line, argc, argv));
+  } catch (const CLI::CallForHelp&) {
+    std::cout << in.line.help();
+    return all_printed();
+  }
   in.take_over();
-  chapter();
-  if (!in.values_file.empty()) write_file(in.values_file, to_string(in.values) + "\n");
+  run_chapter(chapter);
+  if (!in.values_file.empty())
+    checked("--values", [&] { write_file(in.values_file, to_string(in.values) + "\n"); });
   if (in.as_json)
     std::cout << to_string(in.json) << '\n';
   else
     in.report->print(std::cout);
-  std::cout.flush();
-  if (!std::cout) throw std::runtime_error("standard output: could not be written");
-  return 0;
+  return all_printed();
 }
 
 int Program::run(int argc, char** argv, const std::function<void()>& chapter) {
-  const std::string& name = inside_->name;
+  const auto fail = [this](int status, const std::string& what) {
+    std::cerr << inside_->name << ": " << printable(what, most_of_a_message) << '\n';
+    return status;
+  };
   try {
     return execute(argc, argv, chapter);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << inside_->line.help();
-    return 0;
   } catch (const CLI::ParseError& error) {
-    std::cerr << name << ": " << error.what() << " (see " << name << " --help)\n";
-    return 2;
+    return fail(2, std::string(error.what()) + " (see " + inside_->name + " --help)");
   } catch (const Refused& error) {
-    std::cerr << name << ": " << error.what() << '\n';
-    return 2;
+    return fail(2, error.what());
   } catch (const std::invalid_argument& error) {  // a value that the library refuses
-    std::cerr << name << ": " << error.what() << '\n';
-    return 2;
+    return fail(2, error.what());
+  } catch (const figure::Interrupted& error) {
+    return std::raise(error.signal());
+  } catch (const std::bad_alloc&) {
+    return fail(1, "needs more memory than there is");
   } catch (const std::exception& error) {
-    std::cerr << name << ": " << error.what() << '\n';
-    return 1;
+    return fail(1, error.what());
   }
 }
 
@@ -262,18 +290,5 @@ const figure::Studio& Program::studio() const { return inside_->studio; }
 std::string not_negative(double value) { return value >= 0 ? "" : "must not be negative"; }
 std::string positive(double value) { return value > 0 ? "" : "must be greater than zero"; }
 std::string at_most_one(double value) { return value >= 0 && value <= 1 ? "" : "must be from 0 to 1"; }
-
-void write_file(const std::filesystem::path& file, const std::string& content) {
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  const std::filesystem::path unfinished = file.string() + ".part";
-  std::ofstream out(unfinished, std::ios::binary);
-  out << content;
-  out.close();
-  if (!out) {
-    std::filesystem::remove(unfinished);
-    throw std::runtime_error(file.string() + ": could not be written");
-  }
-  std::filesystem::rename(unfinished, file);
-}
 
 }  // namespace first_contact::program

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "first_contact/figure/figure.hpp"
+#include "first_contact/files/output.hpp"
 #include "first_contact/geometry/plane.hpp"
 #include "first_contact/program/numbers.hpp"
 #include "first_contact/program/report.hpp"
@@ -51,7 +52,7 @@ class Program {
               const Rule& rule = {});
   void option(const std::string& name, Vector& value, const std::string& letters, const std::string& help);
   void option(const std::string& name, Eigen::Vector2d& value, const std::string& letters,
-              const std::string& help, const Rule& rule = {});
+              const std::string& help, const Rule& rule = {}, Range range = Range::finite);
   void option(const std::string& name, Plane& value, const std::string& letters, const std::string& help);
   void option(const std::string& name, std::string& value, const std::string& letters,
               const std::string& help);
@@ -65,11 +66,16 @@ class Program {
   /// Makes something of an option's value, or refuses that value in the option's name: what `make` throws as
   /// std::invalid_argument or std::runtime_error becomes bad usage (exit status 2).
   template <class Make>
-  auto checked(const std::string& name, Make make) -> decltype(make()) {
+  auto checked(const char* name, Make make) -> decltype(make()) {
+    return checked(std::vector<std::string>{name}, make);
+  }
+  /// The same for what is made of several options: those are named that the user gave, else the first.
+  template <class Make>
+  auto checked(const std::vector<std::string>& names, Make make) -> decltype(make()) {
     try {
       return make();
     } catch (const std::exception& error) {
-      throw Refused(name + " " + text_of(name) + ": " + error.what());
+      throw Refused(told(names) + ": " + error.what());
     }
   }
 
@@ -155,7 +161,10 @@ class Program {
   const figure::Studio& studio() const;
 
  private:
-  std::string text_of(const std::string& name) const;
+  std::string told(const std::vector<std::string>& names) const;
+  void add(const std::string& name, const std::string& letters, const std::string& help,
+           const std::string& value, std::function<void(const std::string&)> take);
+  void run_chapter(const std::function<void()>& chapter);
   int execute(int argc, char** argv, const std::function<void()>& chapter);
 
   struct Inside;
@@ -166,9 +175,5 @@ class Program {
 std::string not_negative(double value);
 std::string positive(double value);
 std::string at_most_one(double value);  ///< in [0, 1], such as a coefficient of restitution
-
-/// Writes a whole file or none of it.
-/// \throws std::runtime_error that names the file if it cannot be written.
-void write_file(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace first_contact::program

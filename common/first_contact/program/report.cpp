@@ -1,11 +1,14 @@
 #include "first_contact/program/report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace first_contact::program {
 
 std::string readable(double value) {
+  if (std::isnan(value)) throw std::invalid_argument("must not lead to what is no number");
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0.0 : value);
   return text;

@@ -10,6 +10,7 @@
 namespace first_contact::program {
 
 /// A number for a reader: six significant digits, and no minus before a zero.
+/// \throws std::invalid_argument for what is not a number: nothing is shown that means nothing.
 std::string readable(double value);
 /// A vector for a reader: (1, -2, 0.5).
 std::string readable(const Vector& value);

@@ -1,0 +1,131 @@
+#include "first_contact/files/output.hpp"
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace first_contact {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& rule) {
+  throw FileError(file.string() + ": " + rule);
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::error_code& error) {
+  refuse(file, "cannot be written" + (error ? " (" + error.message() + ")" : std::string()));
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+// Open files appear under these names: links, but to what has no name of its own, or another already.
+bool names_an_open_file(const fs::path& file) {
+  const std::string name = file.lexically_normal().generic_string();
+  const bool of_a_process = name.starts_with("/proc/") && name.find("/fd/") != std::string::npos;
+  return of_a_process || name.starts_with("/dev/fd/") || name == "/dev/stdout" || name == "/dev/stderr";
+}
+
+// Where a chain of symbolic links ends, also if nothing is there.
+fs::path followed(const fs::path& file) {
+  fs::path end = fs::absolute(file);
+  std::error_code error;
+  for (int links = 0; !names_an_open_file(end) && fs::is_symlink(fs::symlink_status(end, error)); ++links) {
+    if (links == 40) refuse(file, std::make_error_code(std::errc::too_many_symbolic_link_levels));
+    end = end.parent_path() / fs::read_symlink(end, error);
+    if (error) refuse(file, error);
+  }
+  return end;
+}
+
+void write_stream(std::FILE* stream, const fs::path& file, std::string_view content) {
+  errno = 0;
+  if (std::fwrite(content.data(), 1, content.size(), stream) != content.size() || std::fflush(stream) != 0)
+    refuse(file, last_error());
+}
+
+void write_to(const fs::path& place, std::ios::openmode mode, const fs::path& file,
+              std::string_view content) {
+  errno = 0;
+  std::ofstream out(place, std::ios::binary | mode);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  if (!out) refuse(file, last_error());
+}
+
+// A file beside its target, gone at the end unless it has taken the target's place.
+class Aside {
+ public:
+  explicit Aside(const fs::path& target) : path_(target.parent_path() / name()) {}
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+  ~Aside() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+
+  std::error_code take_place_of(const fs::path& target) {
+    std::error_code error;
+    fs::rename(path_, target, error);
+    if (!error) path_.clear();
+    return error;
+  }
+
+ private:
+  static std::string name() {
+    std::random_device random;
+    const std::uint64_t number = std::uint64_t{random()} << 32U | random();
+    return ".first-contact-" + std::to_string(number) + ".part";
+  }
+
+  fs::path path_;
+};
+
+// That a plain file may be replaced does not mean that it may be written.
+void require_writable(const fs::path& target, const fs::path& file) {
+  errno = 0;
+  if (!std::ofstream(target, std::ios::binary | std::ios::app)) refuse(file, last_error());
+}
+
+void replace(const fs::path& target, const fs::path& file, std::string_view content, bool exists) {
+  if (exists) require_writable(target, file);
+  Aside aside(target);
+  write_to(aside.path(), std::ios::trunc, file, content);
+  std::error_code error;
+  if (exists) fs::permissions(aside.path(), fs::status(target, error).permissions(), error);
+  if (!error) error = aside.take_place_of(target);
+  if (error) refuse(file, error);
+}
+
+}  // namespace
+
+void write_file(const fs::path& file, std::string_view content) {
+  if (file.empty()) refuse(file, "must be a file with a name");
+  const fs::path target = followed(file);
+  if (target == "/dev/stdout") return write_stream(stdout, file, content);
+  if (target == "/dev/stderr") return write_stream(stderr, file, content);
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (status.type() == fs::file_type::none) refuse(file, error);
+  if (fs::is_directory(status)) refuse(file, "must be a file, not a folder");
+  const bool replaceable = !fs::exists(status) || fs::is_regular_file(status);
+  if (names_an_open_file(target) || !replaceable) return write_to(target, std::ios::app, file, content);
+  replace(target, file, content, fs::exists(status));
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw FileError(folder.string() + ": cannot be made (" + (error ? error.message() : "it is a file") +
+                    ")");
+}
+
+}  // namespace first_contact

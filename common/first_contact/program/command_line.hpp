@@ -1,0 +1,13 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace first_contact::program {
+
+/// The words of a command line as CLI11 wants them, the last one first. `--p1 -1,8`: a value that begins with
+/// a minus sign is joined to its option, or it would be taken for another option.
+/// \throws Refused if an option that needs a value is followed by another option, or by nothing.
+std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char* const* argv);
+
+}  // namespace first_contact::program
