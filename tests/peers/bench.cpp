@@ -202,7 +202,8 @@ int main(int argc, char** argv) {
       "are neither.\n"
       "error: of the time of contact, the median and the worst.\n",
       judged);
-  const figure::Studio studio{out};
+  figure::Studio studio;
+  studio.folder = out;
   draw(studio, "cost", "a hop, in ns", all, [](const Row& row) { return row.ns[1]; });
   draw(studio, "error", "median error of t", all,
        [](Row row) { return std::max(row.worth.median_error(), row.of_spheres ? 1e-18 : 0); });

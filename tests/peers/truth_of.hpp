@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "first_contact/bvh/plain_bvh.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 #include "peers/ways.hpp"
 #include "verify/truth.hpp"
 
@@ -27,9 +27,9 @@ inline Truth truth_of(const Moving<Sphere>& moving, const PlainBvh& tree) {
   const auto keep = [](std::optional<Real>& first, const std::optional<Real>& other) {
     if (other && (!first || *other < *first)) first = other;
   };
-  tree.visit(moving, [&](std::uint32_t place) {
-    const truth::Approach<Real> approach(tree.surface().triangle(tree.surface().places()[place]),
-                                         moving.shape.center, moving.displacement);
+  tree.visit(moving, [&](std::uint32_t triangle) {
+    const truth::Approach<Real> approach(tree.mesh().triangle(triangle), moving.shape.center,
+                                         moving.displacement);
     keep(early, approach.first_time(r * (1 + graze)));
     if (early) keep(time, approach.first_time(r));
     if (time) keep(late, approach.first_time(r * (1 - graze)));

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "first_contact/bvh/plain_bvh.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 
 /// \file
 /// What the fast sweep is measured against: the plain tree with the sweep of a textbook, in doubles. It finds
@@ -65,8 +65,7 @@ struct Hit {
 
 inline Hit sweep(const Moving<Sphere>& moving, const PlainBvh& tree) {
   Hit hit;
-  tree.visit(moving, [&](std::uint32_t place) {
-    const std::uint32_t number = tree.surface().places()[place].number;
+  tree.visit(moving, [&](std::uint32_t number) {
     const double t = sweep(moving, tree.mesh().triangle(number));
     if (t < hit.time) hit = {t, number};
     return hit.time;

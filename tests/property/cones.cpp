@@ -8,7 +8,7 @@
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
 #include "first_contact/bvh/cast/sphere_cast.hpp"
-#include "first_contact/bvh/plain_bvh.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 #include "first_contact/program/terrain.hpp"
 #include "property/same_contact.hpp"
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/trees/bin_cut.hpp"
 
 namespace first_contact {
 
@@ -32,44 +33,10 @@ struct Part {
   }
 };
 
-// A cut along an axis, after a bin.
-struct Cut {
-  int axis = -1;  // none
-  std::size_t bin = 0;
-  double work = infinite;
-  std::size_t larger = 0;  // objects in the larger part
-
-  // Of two cuts as good, as on a straight line, whose parts have no surface, the more even one.
-  bool operator<(const Cut& other) const {
-    return std::pair(work, larger) < std::pair(other.work, other.larger);
-  }
-};
-
 std::size_t bin_of(const Bounds& object, const Bounds& centers, int axis) {
   const double part = (middle_of(object)[axis] - centers.min()[axis]) / centers.sizes()[axis];
   return std::min(static_cast<std::size_t>(part * bin_count), bin_count - 1);
 }
-
-//! [best_cut_of_boxes]
-// The best of 15 cuts along an axis: surface times number of objects, of both parts.
-void improve(Cut& best, const std::array<Part, bin_count>& bins, int axis) {
-  std::array<double, bin_count> work_above{};
-  Part above, below;
-  std::size_t all = bins[0].count;
-  for (std::size_t i = bin_count - 1; i > 0; --i) {
-    above.add(bins[i]);
-    all += bins[i].count;
-    work_above[i] = above.count > 0 ? above.work() : infinite;
-  }
-  for (std::size_t i = 0; i + 1 < bin_count; ++i) {
-    below.add(bins[i]);
-    if (below.count == 0) continue;
-    const std::size_t n_above = all - below.count;
-    const Cut cut{axis, i, below.work() + work_above[i + 1], std::max(below.count, n_above)};
-    if (cut < best) best = cut;
-  }
-}
-//! [best_cut_of_boxes]
 
 }  // namespace
 
@@ -108,7 +75,7 @@ std::uint32_t BoxTree::cut(const Node& parent, std::span<const Bounds> objects) 
   const auto begin = order_.begin() + parent.begin, end = order_.begin() + parent.end;
   Bounds centers;
   std::for_each(begin, end, [&](std::uint32_t i) { centers.extend(middle_of(objects[i])); });
-  Cut best;
+  BinCut<double> best;
   for (int axis = 0; axis < 3; ++axis) {
     const double extent = centers.sizes()[axis];
     if (!(extent > 0 && extent < infinite)) continue;
@@ -116,7 +83,7 @@ std::uint32_t BoxTree::cut(const Node& parent, std::span<const Bounds> objects) 
     std::for_each(begin, end, [&](std::uint32_t i) {
       bins[bin_of(objects[i], centers, axis)].add({objects[i], 1});
     });
-    improve(best, bins, axis);
+    improve<bin_count>(best, std::span<const Part>(bins), axis);
     work_ += parent.end - parent.begin;
   }
   if (best.axis < 0) return parent.begin + (parent.end - parent.begin) / 2;  // all in one place

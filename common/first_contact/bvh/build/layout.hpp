@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +9,7 @@
 ///
 /// The idea: a cast waits for memory more than it computes. Eight children to a node make the tree a third as
 /// deep as one of pairs; eight bits to a coordinate make eight boxes fit in one cache line; a leaf stores a
-/// shared vertex once. It equals a binary tree of boxes of doubles (plain_bvh.hpp), whose every box lies
+/// shared vertex once. It equals a binary tree of boxes of doubles (trees/plain_bvh.hpp), whose every box lies
 /// within the box stored here.
 ///
 /// All lengths are in the tree's own unit (\see space.hpp), in which the mesh lies between -1 and 1, so that
@@ -75,7 +76,8 @@ static_assert(sizeof(LeafHead) == 44);
 /// A triangle, as a cast needs it that has come to its leaf: its number in the mesh, and the representatives
 /// of its corners.
 struct Place {
-  std::uint32_t number, corner[3];
+  std::uint32_t number;
+  std::array<std::uint32_t, 3> corner;
 };
 
 /// The whole tree.

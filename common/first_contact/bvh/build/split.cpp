@@ -7,6 +7,7 @@
 
 #include "first_contact/bvh/build/layout.hpp"
 #include "first_contact/bvh/build/parallel.hpp"
+#include "first_contact/trees/bin_cut.hpp"
 
 namespace first_contact::bvh {
 
@@ -63,64 +64,48 @@ Item make_item(const Mesh& mesh, const Space& space, std::uint32_t number) {
           Floats4{high[0], high[1], high[2], static_cast<float>(upper_half)}};
 }
 
-/// Where to cut: along an axis, after a bin.
-struct Cut {
-  int axis = -1, bin = 0;
-  float cost = infinite;
+/// What a part is expected to cost: its surface times its number of leaves.
+struct Part {
+  Box box = Box::empty();
+  std::uint32_t count = 0;
+
+  void add(const Part& other) {
+    box.add(other.box);
+    count += other.count;
+  }
+  float work() const {
+    if (count == 0) return 0;
+    const std::uint32_t leaves = (count + width - 1) / width;
+    return static_cast<float>(leaves) * box.surface();
+  }
 };
 
 /// How the middles of some items fall into bins, along each axis.
 struct Bins {
   Floats4 from, per_length;
   std::size_t bins;
-  std::array<std::array<Box, most_bins>, 3> box;  // of each axis the first `bins`
-  std::array<std::array<std::uint32_t, most_bins>, 3> count{};
+  std::array<std::array<Part, most_bins>, 3> part;  // of each axis the first `bins`
 
   Bins(const Box& middles, std::size_t triangles) : from(middles.low), bins(bins_for(triangles)) {
     const Floats4 width = middles.high - middles.low, none{};
     per_length = width > none ? Floats4{} + 0.9999F * static_cast<float>(bins) / width : none;
-    for (auto& along_axis : box) std::fill_n(along_axis.begin(), bins, Box::empty());
   }
-  int bin_of(const Item& item, int axis) const {
-    return static_cast<int>((item.middle()[axis] - from[axis]) * per_length[axis]);
+  std::size_t bin_of(const Item& item, int axis) const {
+    return static_cast<std::size_t>((item.middle()[axis] - from[axis]) * per_length[axis]);
   }
   void add(const Item& item) {
     const Floats4 place = (item.middle() - from) * per_length;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto bin = static_cast<std::size_t>(place[axis]);
-      box[axis][bin].add(item.low, item.high);
-      ++count[axis][bin];
+      part[axis][bin].box.add(item.low, item.high);
+      ++part[axis][bin].count;
     }
   }
 };
 
-float leaves_for(std::uint32_t triangles) {
-  const std::uint32_t leaves = (triangles + width - 1) / width;
-  return static_cast<float>(leaves);
+std::span<const Part> along(const Bins& in, int axis) {
+  return std::span(in.part[static_cast<std::size_t>(axis)]).first(in.bins);
 }
-
-//! [best_cut]
-/// The best of the cuts between bins along an axis: surface times work, of both sides.
-void improve(Cut& best, const Bins& in, int axis) {
-  const auto& box = in.box[static_cast<std::size_t>(axis)];
-  const auto& count = in.count[static_cast<std::size_t>(axis)];
-  std::array<float, most_bins> cost_above{};
-  Box above = Box::empty(), below = above;
-  std::uint32_t n_above = 0, n_below = 0;
-  for (std::size_t i = in.bins - 1; i > 0; --i) {
-    above.add(box[i]);
-    n_above += count[i];
-    cost_above[i] = n_above ? leaves_for(n_above) * above.surface() : infinite;
-  }
-  for (std::size_t i = 0; i + 1 < in.bins; ++i) {
-    below.add(box[i]);
-    n_below += count[i];
-    if (n_below == 0) continue;
-    const float cost = leaves_for(n_below) * below.surface() + cost_above[i + 1];
-    if (cost < best.cost) best = {axis, static_cast<int>(i), cost};
-  }
-}
-//! [best_cut]
 
 class Splitter {
  public:
@@ -165,8 +150,8 @@ std::uint32_t Splitter::cut(std::uint32_t first, std::uint32_t count, int depth,
 
   Bins in(middles, count);
   for (const Item& item : part) in.add(item);
-  Cut best;
-  for (int axis = 0; axis < 3; ++axis) improve(best, in, axis);
+  BinCut<float> best;
+  for (int axis = 0; axis < 3; ++axis) improve<most_bins>(best, along(in, axis), axis);
   if (best.axis < 0) return count / 2;  // all middles in one place
   const auto above = std::partition(part.begin(), part.end(),
                                     [&](const Item& item) { return in.bin_of(item, best.axis) <= best.bin; });

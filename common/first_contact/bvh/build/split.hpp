@@ -26,11 +26,9 @@ struct BinaryTree {
 
 /// Cuts the mesh in two, and the parts again, until no part has more than 8 triangles and 16 vertices.
 ///
-/// The idea: a cut is good if few casts must look at both sides. The chance that a path that meets a box
-/// meets a box inside it is the ratio of their surfaces, so the cost of a cut is the sum of surface times
-/// work (the surface area heuristic; Goldsmith and Salmon 1987). Only the cuts between 16 bins along each
-/// axis are looked at, or between 8 for a few triangles (Wald 2007), and work is counted in leaves of eight.
-/// It equals the cuts of the plain tree, which always has 16 bins and counts single triangles.
+/// By the surface area heuristic (trees/bin_cut.hpp) with 16 bins along each axis, or 8 for a few triangles, and
+/// work counted in leaves of eight. It equals the cuts of the plain tree, which always has 16 bins and counts
+/// single triangles.
 BinaryTree split(const Mesh& mesh, const Space& space, const Merged& merged);
 
 }  // namespace first_contact::bvh

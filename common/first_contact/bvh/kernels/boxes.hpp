@@ -6,8 +6,8 @@
 #define FIRST_CONTACT_BVH_KERNELS_BOXES
 #endif
 
-#include "first_contact/bvh/kernels/progress.hpp"
 #include "first_contact/bvh/kernels/lanes.hpp"
+#include "first_contact/bvh/kernels/progress.hpp"
 
 /// \file
 /// Which children of a node can the sphere touch, and when does it come near each of them?
