@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
   program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
   return program.run(argc, argv, [&] {
-    const auto ball = program.checked({"--to", "--from"}, [&] {
+    const auto ball = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
     });
     const auto contact = sweep(ball, scene.plane);

@@ -213,7 +213,7 @@ int main(int argc, char** argv) {
   program.option("--s", scene.s, "x,y,z", "axis S, perpendicular to R");
   program.option("--t", scene.t, "x,y,z", "axis T, perpendicular to both");
   return program.run(argc, argv, [&] {
-    const Box box = program.checked({"--r", "--s", "--t"}, [&] {
+    const Box box = program.checked({"--r", "--s", "--t", "--from"}, [&] {
       return Box{scene.from, scene.r, scene.s, scene.t};
     });
     const auto moving = program.checked({"--to", "--from"}, [&] {

@@ -209,7 +209,7 @@ int main(int argc, char** argv) {
   program.option("--results", scene.results, "OUT.csv",
                  "their results: hit,time,px,py,pz,nx,ny,nz,feature,triangle");
   return program.run(argc, argv, [&] {
-    const auto moving = program.checked({"--to", "--from"}, [&] {
+    const auto moving = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
     });
     const Environment environment = environment_of(program, scene);

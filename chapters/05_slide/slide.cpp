@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
   program.option("--frames", frames, "n", "of the walk over each whole surface", up_to_a_million);
   return program.run(argc, argv, [&] {
     const auto environment = program.checked("--mesh", [&] { return scene.environment(); });
-    const auto ball = program.checked({"--to", "--from"}, [&] { return scene.ball(); });
+    const auto ball = program.checked({"--to", "--from", "--radius"}, [&] { return scene.ball(); });
     const Slide path = slide(ball, environment);
     Report& report = program.report();
     report.title({"A sphere slides along what it meets", "碰撞後的滑行距離"}, "2.2");

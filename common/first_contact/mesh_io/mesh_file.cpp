@@ -80,6 +80,10 @@ Mesh read_mesh(const MeshBytes& file, ReadingNotes* notes) {
     Mesh mesh = triangulated(file, reader_of(file.name)(file), notes);
     if (file.progress) file.progress(1);
     return mesh;
+  } catch (const MeshFileError&) {
+    throw;
+  } catch (const std::invalid_argument& error) {  // a vertex out of range
+    throw MeshFileError(printable(file.name) + ": " + error.what());
   } catch (const std::bad_alloc&) {
     throw MeshFileError(printable(file.name) + ": needs more memory than there is");
   }
