@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/mesh_io/flat_polygon.hpp"
 
 namespace first_contact {
@@ -26,7 +27,7 @@ Vector newell_normal(const std::vector<Point>& corners) {
   Vector normal = Vector::Zero(), largest = Vector::Zero();
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const Vector part = (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
-    if (part.squaredNorm() > largest.squaredNorm()) largest = part;
+    if (squared_norm(part) > squared_norm(largest)) largest = part;
     normal += part;
   }
   return normal.isZero(0) ? largest : normal;
