@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-/// \file Polygons in the plane, counterclockwise: what a face of a mesh file is, seen from its front. All
-/// answers are exact.
+/// \file
+/// Polygons in the plane, counterclockwise: what a face of a mesh file is, seen from its front. All answers are
+/// exact.
 
 namespace first_contact {
 

@@ -14,9 +14,9 @@ namespace first_contact::ply {
 /// A type of numbers.
 struct Type {
   /// With a sign, without, floating.
-  enum Kind { whole, natural, real } kind;
-  /// How many bytes it has in a binary file.
-  unsigned bytes;
+  enum Kind { whole, natural, real };
+  Kind kind;       ///< which of them
+  unsigned bytes;  ///< that it has in a binary file
 };
 
 /// A number of an element, or a list of numbers.
