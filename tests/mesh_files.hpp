@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "catch.hpp"
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 #include "folder.hpp"
 
 /// \file

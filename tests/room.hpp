@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "first_contact/geometry/largest_coordinate.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 
 /// Several planes as one environment, the simplest that has creases and corners.
@@ -19,8 +20,8 @@ inline std::optional<first_contact::Contact> sweep(const first_contact::Moving<f
   return first;
 }
 
-inline double extent(const Room& room) {
+inline double largest_coordinate(const Room& room) {
   double largest = 0;
-  for (const first_contact::Plane& wall : room.walls) largest = std::max(largest, extent(wall));
+  for (const first_contact::Plane& wall : room.walls) largest = std::max(largest, largest_coordinate(wall));
   return largest;
 }

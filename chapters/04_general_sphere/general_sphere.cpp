@@ -125,7 +125,7 @@ void tell_order(Program& program) {
            {"the floor below the step: the ball has gone through it", "階梯下的地面：球已穿過階梯"})
       .value("first_face");
   report.say({"Corrected: the earliest of all features", "修正：取所有特徵中最早者"});
-  program.row("t of the first contact", sweep(falling, stairs)->time, {"the step", "階梯"})
+  program.row("t of the first contact", sweep(falling, Environment(stairs))->time, {"the step", "階梯"})
       .value("first_contact");
 }
 

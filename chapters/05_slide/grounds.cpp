@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 #include "first_contact/program/terrain.hpp"
 #include "places.hpp"
 #include "scene.hpp"

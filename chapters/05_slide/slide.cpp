@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "figures/figures.hpp"
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 #include "first_contact/program/mesh_report.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
@@ -140,7 +140,7 @@ void give_contacts(Program& program, const Slide& path) {
 // More numbers that the notes speak of: of one wall, of walls one after the other, of a walk over the bunny.
 void note_wall(Program& program, const Environment& environment, const Moving<Sphere>& ball) {
   program.value("gap",
-                slide_gap * std::max(extent(environment), ball.shape.center.lpNorm<Eigen::Infinity>() +
+                slide_gap * std::max(largest_coordinate(environment), ball.shape.center.lpNorm<Eigen::Infinity>() +
                                                               ball.displacement.lpNorm<Eigen::Infinity>()));
   const auto contact = sweep(ball, environment);
   if (!contact) return;

@@ -53,8 +53,7 @@ struct Rest {
 Walk walk(const Ground& ground, long frames, std::uint64_t seed) {
   const Bvh bvh{Mesh(ground.mesh)};
   const Clearance clearance(ground.mesh);
-  const double size = extent(ground.mesh);
-  const SphereSweep first_contact_of = [&](const Moving<Sphere>& part) { return sweep(part, bvh); };
+  const double size = largest_coordinate(bvh);
   program::Random random(seed);
   Walk total;
   Rest rest;
@@ -69,7 +68,7 @@ Walk walk(const Ground& ground, long frames, std::uint64_t seed) {
     const double speed = way.norm();
     const Vector forwards = (way / speed + ground.pull(ball.center)).normalized();
     const auto begin = std::chrono::steady_clock::now();
-    const Slide path = slide({ball, speed * forwards}, first_contact_of, size);
+    const Slide path = slide({ball, speed * forwards}, bvh);
     total.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
     const double back = -(path.end() - ball.center).dot(forwards) / size;

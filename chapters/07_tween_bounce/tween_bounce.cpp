@@ -1,18 +1,19 @@
 // Chapter 7: tweens, and the fall and rebound of the paper's programs 1 to 3 (paper, 1.1 and 2.4.2).
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "figures/figures.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
-#include "stepped_bounce.hpp"
+#include "mistakes.hpp"
+#include "with_digits.hpp"
 
 using namespace first_contact;
 using namespace first_contact::program;
 using tween_bounce::Flight;
+using tween_bounce::with_digits;
 
 namespace {
 
@@ -30,12 +31,6 @@ struct Scene {
   std::size_t count() const { return static_cast<std::size_t>(samples); }
 };
 //! [scene]
-
-std::string with_digits(double value, int digits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
 
 PrintedMotion run_printed(const Scene& scene, double v0) {
   return run(PrintedBounce{v0, scene.y0, scene.g, scene.dt, scene.count(), scene.restitution});
@@ -155,80 +150,10 @@ void tell_corrected(Program& program, const Scene& scene, const Bounce& bounce) 
   else
     report.row("rest", std::string("never"), {"it never comes to rest on the floor", "永不靜止於地面"});
 }
-
-// How high a ball dropped from 1 with e = 1 bounces in the last three seconds of a minute.
-double stepped_peak(Stepper stepper) {
-  const auto states = stepped_bounce(stepper, 1, 9.81, 1, 1.0 / 60, 3600);
-  const auto lower = [](const Stepped& a, const Stepped& b) { return a.height < b.height; };
-  return std::max_element(states.end() - 180, states.end(), lower)->height;
-}
-
-// The same, solved.
-double solved_peak() { return Bounce(1, 0, 9.81, 1).apex(66)->height; }
-
-// Energy after a minute, restitution 1: time steps against impacts that are solved for.
-void tell_energy(Program& program) {
-  program.report().say(
-      {"A ball dropped from 1 with e = 1, 60 pictures a second: how high does it bounce after a minute?",
-       "自高度 1 落下、e = 1、每秒 60 影格：一分鐘後彈多高？"});
-  const auto peak = [&](Stepper stepper, const std::string& name, const std::string& value,
-                        const Text& meaning) {
-    program.row(name, stepped_peak(stepper), meaning).value(value);
-  };
-  peak(Stepper::explicit_euler, "explicit Euler", "explicit_peak",
-       {"y += v dt, then v -= g dt", "先 y += v dt，再 v -= g dt"});
-  peak(Stepper::parabola, "exact parabolas", "parabola_peak",
-       {"but each impact up to a step late", "但每次碰撞最多遲一影格"});
-  peak(Stepper::semi_implicit_euler, "semi-implicit Euler", "semi_peak",
-       {"v -= g dt, then y += v dt", "先 v -= g dt，再 y += v dt"});
-  program.report().row("solved at impacts", solved_peak(), {"nothing drifts", "沒有漂移"});
-}
-
-// The fastest speed along a curve by the slowest, if one goes by its parameter.
-double unevenness(const Curve& curve) {
-  double slowest = 1e300, fastest = 0;
-  for (int i = 0; i <= 1000; ++i) {
-    const double speed = at(derivative(curve), i / 1000.0).norm();
-    slowest = std::min(slowest, speed);
-    fastest = std::max(fastest, speed);
-  }
-  return fastest / slowest;
-}
-
-// What is left of a way after a second, by a lerp of a tenth in each frame, and by damping.
-double left_by_lerp(int frames) {
-  double x = 1;
-  for (int i = 0; i < frames; ++i) x = std::lerp(x, 0.0, 0.1);
-  return x;
-}
-double left_by_damp() {
-  const double rate = -30 * std::log(0.9);
-  return damp(1.0, 0.0, rate, 1.0);
-}
-
-// Two mistakes of tweens.
-void tell_tweens(Program& program) {
-  Report& report = program.report();
-  report.say({"Tweens that go wrong: speed by a curve's parameter, and a lerp by 0.1 a frame",
-              "補間的常見錯誤：以曲線參數當距離；每影格 lerp 0.1"});
-  const ArcLength arch(tween_bounce::arch());
-  program
-      .row("fastest/slowest", unevenness(arch.curve()),
-           {"along a Bezier arch by its parameter; 1 by its length, " + readable(arch.total()),
-            "沿貝茲拱形的參數；依弧長 " + readable(arch.total()) + " 則為 1"})
-      .value("unevenness");
-  const auto left = [](int frames) { return with_digits(100 * left_by_lerp(frames), 2) + " %"; };
-  report.row("left after 1 s, lerp", left(30) + ", " + left(60),
-             {"at 30 and at 60 frames a second", "每秒 30 與 60 影格"});
-  program
-      .row("left after 1 s, damp", Shown{left_by_damp(), with_digits(100 * left_by_damp(), 2) + " %"},
-           {"e^(-rate t), at any frame rate", "e^(-rate t)，與影格速率無關"})
-      .value("left_damp");
-}
 //! [report]
 
 //! [notes]
-// More numbers that the notes speak of: of the tweens, the printed fall, the solved one, and the stepped ones.
+// More numbers that the notes speak of: of the printed fall, its plan, and the solved one.
 void note(Program& program, const Scene& scene, const PrintedMotion& motion, const Bounce& bounce) {
   const Flight printed = tween_bounce::printed_flight(motion);
   program.value("v0", scene.v0);
@@ -256,9 +181,6 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
     program.value("true_v" + std::to_string(n), landing->speed);
     program.value("true_h" + std::to_string(n), apex->height);
   }
-  program.value("arch_length", ArcLength(tween_bounce::arch()).total());
-  program.value("left_30", left_by_lerp(30));
-  program.value("left_60", left_by_lerp(60));
 }
 //! [notes]
 
@@ -316,8 +238,8 @@ int main(int argc, char** argv) {
     tell_speeds(report, printed);
     tell_printed(report, scene, printed);
     tell_corrected(program, scene, bounce);
-    tell_energy(program);
-    tell_tweens(program);
+    tween_bounce::tell_energy(program);
+    tween_bounce::tell_tweens(program);
     give_results(program, flight);
     note(program, scene, motion, bounce);
     if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);

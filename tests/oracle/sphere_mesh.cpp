@@ -102,7 +102,7 @@ TEST_CASE(
                latest = first_time(approaches, radius - delta);
     if (earliest && *earliest == 0) continue;  // touching at the start: judged by its own tests
 
-    const auto contact = sweep(moving, mesh);
+    const auto contact = sweep(moving, Environment(mesh));
     hits += contact.has_value();
     if (latest) REQUIRE(contact);  // never a miss
     if (!contact) continue;
@@ -139,7 +139,7 @@ TEST_CASE("Dense sampling and bisection find the same first time as a sweep of a
     if (distance_at(mesh, moving, 0) <= moving.shape.radius * (1 + 1e-9)) continue;
     const double radius = moving.shape.radius - 1e-12;  // what is no deeper may be rounding
     INFO("cast " << i << ": " << text(mesh, moving));
-    const auto contact = sweep(moving, mesh);
+    const auto contact = sweep(moving, Environment(mesh));
     constexpr int samples = 100;
     for (int k = 1; k <= samples; ++k) {
       double from = double(k - 1) / samples, to = double(k) / samples;

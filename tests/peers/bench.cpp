@@ -160,6 +160,15 @@ void draw(const figure::Studio& studio, const char* name, const char* label, con
   chart.draw();
 }
 
+void print_head() {
+  std::printf("%8s  %-21s %s  %s  %s\n", "", "", "ns a cast, of the processor    ", "of the textbook's      ",
+              "contacts");
+  std::printf("%8s  %-21s", "size", "way");
+  for (const auto kind : scenes::kinds) std::printf(" %7s", scenes::to_string(kind));
+  for (const auto kind : scenes::kinds) std::printf(" %5s", scenes::to_string(kind));
+  std::printf(" %7s %6s %8s %8s\n", "missed", "false", "error", "worst");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -183,12 +192,7 @@ int main(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
 
-  std::printf("%8s  %-21s %s  %s  %s\n", "", "", "ns a cast, of the processor    ", "of the textbook's      ",
-              "contacts");
-  std::printf("%8s  %-21s", "size", "way");
-  for (const auto kind : scenes::kinds) std::printf(" %7s", scenes::to_string(kind));
-  for (const auto kind : scenes::kinds) std::printf(" %5s", scenes::to_string(kind));
-  std::printf(" %7s %6s %8s %8s\n", "missed", "false", "error", "worst");
+  print_head();
   std::vector<Row> all;
   for (const std::uint32_t n : sides) {
     const Mesh mesh = scenes::terrain(n);

@@ -29,6 +29,18 @@ Vector vector(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
+/// A grid of squares, flat or bumpy, with shared vertices.
+Mesh grid(Random& random, bool flat, double size, const Vector& offset) {
+  const std::uint32_t n = 2 + static_cast<std::uint32_t>(random() % 5);
+  std::vector<Point> points;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i) {
+      const double height = flat ? 0 : static_cast<double>(random() % 3) / 4;
+      points.emplace_back(size * Point(2.0 * i / n - 1, 2.0 * j / n - 1, height) + offset);
+    }
+  return {std::move(points), program::grid_faces(n)};
+}
+
 /// A mesh of the kinds that trouble: loose triangles, slivers, duplicates, a grid whose vertices are on whole
 /// numbers, a patch with T-junctions, degenerate triangles, a flat floor.
 Mesh troublesome(Random& random, double size, const Vector& offset) {
@@ -41,15 +53,7 @@ Mesh troublesome(Random& random, double size, const Vector& offset) {
   };
   const auto kind = random() % 7;
   const std::size_t count = 1 + random() % 60;
-  if (kind == 6 || kind == 4) {  // a grid of squares, flat or bumpy, with shared vertices
-    const std::uint32_t n = 2 + static_cast<std::uint32_t>(random() % 5);
-    for (std::uint32_t j = 0; j <= n; ++j)
-      for (std::uint32_t i = 0; i <= n; ++i) {
-        const double height = kind == 6 ? 0 : static_cast<double>(random() % 3) / 4;
-        points.emplace_back(size * Point(2.0 * i / n - 1, 2.0 * j / n - 1, height) + offset);
-      }
-    return {points, program::grid_faces(n)};
-  }
+  if (kind == 6 || kind == 4) return grid(random, kind == 6, size, offset);
   for (std::size_t i = 0; i < count; ++i) {
     const Point a = vector(random, 1), b = a + vector(random, 0.3), c = a + vector(random, 0.3);
     const auto whole = [&] { return Point(vector(random, 3).array().round() / 3); };

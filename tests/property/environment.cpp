@@ -73,7 +73,7 @@ TEST_CASE("The answer does not depend on the order of the triangles") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
     const Mesh shuffled = random.shuffled(scene.mesh);
-    const auto a = sweep(scene.moving, scene.mesh), b = sweep(scene.moving, shuffled);
+    const auto a = sweep(scene.moving, Environment(scene.mesh)), b = sweep(scene.moving, Environment(shuffled));
     check_same(a, b);
     if (!a) return;
     const auto reached = [&](const Mesh& mesh, std::size_t i) {
@@ -87,18 +87,18 @@ TEST_CASE("The answer does not depend on the order of the triangles") {
 TEST_CASE("A mesh without shared vertices is the same surface") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
-    check_same(sweep(scene.moving, scene.mesh), sweep(scene.moving, test_meshes::unwelded(scene.mesh)));
+    check_same(sweep(scene.moving, Environment(scene.mesh)), sweep(scene.moving, Environment(test_meshes::unwelded(scene.mesh))));
   });
 }
 
 TEST_CASE("A scene that is scaled by a power of two has the same times and normals, bit for bit") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
-    const auto contact = sweep(scene.moving, scene.mesh);
+    const auto contact = sweep(scene.moving, Environment(scene.mesh));
     for (const double scale : {std::ldexp(1.0, -100), 8.0, std::ldexp(1.0, 100)}) {
       const Mesh mesh = test_meshes::mapped(scene.mesh, [&](const Point& p) { return Point(scale * p); });
       const Sphere sphere{scale * scene.moving.shape.center, scale * scene.moving.shape.radius};
-      const auto scaled = sweep(Moving<Sphere>{sphere, scale * scene.moving.displacement}, mesh);
+      const auto scaled = sweep(Moving<Sphere>{sphere, scale * scene.moving.displacement}, Environment(mesh));
       REQUIRE(scaled.has_value() == contact.has_value());
       if (!contact) continue;
       CHECK(scaled->time == contact->time);
@@ -113,7 +113,7 @@ TEST_CASE("A scene that is scaled by a power of two has the same times and norma
 TEST_CASE("At a contact the sphere touches the surface, approaching, and does not touch it before") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
-    const auto contact = sweep(scene.moving, scene.mesh);
+    const auto contact = sweep(scene.moving, Environment(scene.mesh));
     if (!contact) return;
     const auto& [sphere, displacement] = scene.moving;
     CHECK(contact->normal.norm() == Approx(1).epsilon(1e-15));
@@ -135,7 +135,7 @@ TEST_CASE("A mesh of one triangle is that triangle") {
     const Mesh mesh{{triangle.a, triangle.b, triangle.c}, {{0, 1, 2}}};
     for (int i = 0; i < 10; ++i) {
       const Moving<Sphere> moving = random.cast_at(mesh);
-      const auto one = sweep(moving, triangle), all = sweep(moving, mesh);
+      const auto one = sweep(moving, triangle), all = sweep(moving, Environment(mesh));
       REQUIRE(one.has_value() == all.has_value());
       if (!one) continue;
       CHECK(one->time == Approx(all->time).margin(1e-14));

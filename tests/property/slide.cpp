@@ -70,7 +70,7 @@ Trip random_trip() {
   const Vector wish = *rc::gen::element(1e-9, 0.1, 1.0, 30.0) * vector();
   const Room room = room_around(start, radius);
   const double scale =
-      std::max({start.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), extent(room), radius});
+      std::max({start.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), largest_coordinate(room), radius});
   return {room, Moving<Sphere>{{start, radius}, wish}, scale};
 }
 

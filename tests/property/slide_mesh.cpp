@@ -128,7 +128,7 @@ struct Trip {
 
   double scale() const {
     return std::max(
-        {ball.center.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), extent(mesh), ball.radius});
+        {ball.center.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), largest_coordinate(mesh), ball.radius});
   }
 };
 

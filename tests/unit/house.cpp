@@ -17,6 +17,10 @@ const std::vector<std::string> order{"geometry", "files",    "mesh_io", "sweep",
                                      "pairs",    "response", "motion",  "stage", "figure", "program"};
 const std::size_t mathematics = 11;  // the first eleven are what a user gets with Eigen and Highway
 
+// The header that includes all the others; and those that are nobody's but their neighbours'.
+const std::string everything = "first_contact.hpp";
+const std::vector<std::string> insides{"mesh_io/mesh_formats.hpp", "batch/desk.hpp", "batch/loops.hpp"};
+
 std::size_t rank(const std::string& folder) {
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), folder) - order.begin());
 }
@@ -59,12 +63,40 @@ std::vector<Include> all_includes() {
 TEST_CASE("The reading order of the library is its dependency order") {
   const std::string own = "first_contact/";
   for (const Include& include : all_includes()) {
-    if (!include.what.starts_with(own)) continue;
+    if (!include.what.starts_with(own) || include.folder == everything) continue;
     const std::string needed =
         include.what.substr(own.size(), include.what.find('/', own.size()) - own.size());
     CAPTURE(include.file.string(), include.what);
     CHECK(rank(include.folder) < order.size());
     CHECK(rank(needed) <= rank(include.folder));
+  }
+}
+
+TEST_CASE("One header includes all that is for users, each after what it includes itself") {
+  const fs::path library = fs::path(first_contact::places::source) / "common/first_contact";
+  std::vector<std::string> included;
+  for (const Include& include : all_includes())
+    if (include.folder == everything) included.push_back(include.what.substr(include.what.find('/') + 1));
+  const auto place = [&](const std::string& header) {
+    return std::find(included.begin(), included.end(), header) - included.begin();
+  };
+  std::size_t for_users = 0;
+  for (std::size_t i = 0; i < mathematics; ++i)
+    for (const auto& entry : fs::directory_iterator(library / order[i])) {
+      const std::string header = order[i] + "/" + entry.path().filename().string();
+      if (entry.path().extension() != ".hpp") continue;
+      if (std::find(insides.begin(), insides.end(), header) != insides.end()) continue;
+      INFO(header << " is missing in " << everything);
+      CHECK(std::find(included.begin(), included.end(), header) != included.end());
+      ++for_users;
+    }
+  CHECK(included.size() == for_users);
+  for (const Include& include : all_includes()) {
+    const std::string header = include.file.lexically_relative(library).generic_string();
+    const std::string needed = include.what.substr(include.what.find('/') + 1);
+    if (place(header) == std::ssize(included) || place(needed) == std::ssize(included)) continue;
+    CAPTURE(header, needed);
+    CHECK(place(needed) < place(header));
   }
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("What others have missed, or seen where nothing was, is answered by th
     const Mesh mesh = mesh_from(miss["triangles"]);
     const json& expected = miss["expect"];
 
-    const auto contact = sweep(Moving<Sphere>{sphere, displacement}, mesh);
+    const auto contact = sweep(Moving<Sphere>{sphere, displacement}, Environment(mesh));
     check_answer(contact, expected);
     if (contact) CHECK(contact->triangle == expected["triangle"].get<std::size_t>());
 

@@ -16,19 +16,19 @@ const Bezier dive({{0, 0, 4}, {2, 0, -4}, {4, 0, 4}});  // z = 4 (1 - 4 u (1 - u
 
 TEST_CASE("Along a line there is one chord, and the contact is that of the plain sweep") {
   CHECK(chords(line({0, 0, 3}, {1, 0, -1}), 1e-9) == std::vector<double>{0, 1});
-  const auto contact = sweep_along(line({0, 0, 3}, {0, 0, -1}), 1, ground, 1e-9);
-  REQUIRE(contact);
-  CHECK(contact->time == 0.5);
-  CHECK(contact->normal == Vector(0, 0, 1));
+  const auto touch = sweep_along(line({0, 0, 3}, {0, 0, -1}), 1, ground, 1e-9);
+  REQUIRE(touch);
+  CHECK(touch->u == 0.5);
+  CHECK(touch->contact.normal == Vector(0, 0, 1));
 }
 
 TEST_CASE("Along a curve a sphere meets the plane where its true height is its radius") {
   // 4 (1 - 2u)^2 = 1 at u = 1/4, where the height falls by 8 a unit of u.
   const double deviation = 1e-6;
-  const auto contact = sweep_along(dive, 1, ground, deviation);
-  REQUIRE(contact);
-  CHECK(std::abs(contact->time - 0.25) <= 1.01 * deviation / 8);
-  CHECK(std::abs(contact->point().x() - 1) <= 1e-6);
+  const auto touch = sweep_along(dive, 1, ground, deviation);
+  REQUIRE(touch);
+  CHECK(std::abs(touch->u - 0.25) <= 1.01 * deviation / 8);
+  CHECK(std::abs(touch->contact.point().x() - 1) <= 1e-6);
 }
 
 TEST_CASE("The ends alone would miss it: both are far from the plane") {
@@ -58,14 +58,14 @@ TEST_CASE(
 TEST_CASE("A corner of a B-spline is a joint of the chords") {
   const BSpline polyline({{0, 0, 5}, {1, 0, 0.5}, {2, 0, 5}}, 1);
   CHECK(chords(polyline, 1e-3) == std::vector<double>{0, 0.5, 1});
-  CHECK(sweep_along(polyline, 0.75, ground, 1e-3)->time < 0.5);
+  CHECK(sweep_along(polyline, 0.75, ground, 1e-3)->u < 0.5);
 }
 
 TEST_CASE("A sphere that overlaps at the start and leaves has no contact, until it comes back") {
   const Bezier hop({{0, 0, 0.5}, {1, 0, 6}, {2, 0, 0.5}});
-  const auto contact = sweep_along(hop, 1, ground, 1e-6);
-  REQUIRE(contact);
-  CHECK(contact->time > 0.5);
+  const auto touch = sweep_along(hop, 1, ground, 1e-6);
+  REQUIRE(touch);
+  CHECK(touch->u > 0.5);
 }
 
 TEST_CASE("A deviation that is zero, negative, not a number or absurdly small is refused") {

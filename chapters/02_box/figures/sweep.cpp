@@ -72,6 +72,11 @@ void name_planes(figure::Scene& scene, const Point& corner, const Point& foot, c
   scene.label("{/:Italic E}′", corner + offset, 0.6, 0, colour::grey, Align::left);
 }
 
+void name_contact(figure::Scene& scene, const ContactPoints& points) {
+  mark_contact(scene, points);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) scene.label(name_of(points, i), points.col(i), 0.2, -0.9);
+}
+
 }  // namespace
 
 void draw_sweep(const Studio& studio, const Plane& any_plane, const Moving<Box>& any_box,
@@ -106,11 +111,7 @@ void draw_sweep(const Studio& studio, const Plane& any_plane, const Moving<Box>&
   name_planes(scene, middle + half_u + half_v, middle - 0.85 * half_u - 0.75 * half_v, radius * n);
   name_parts(scene, q0, end, contact.has_value());
   scene.label("{/:Italic Q}_0", q0 + radius * n, 0, 0.9);
-  if (contact) {
-    mark_contact(scene, contact->points);
-    for (Eigen::Index i = 0; i < contact->points.cols(); ++i)
-      scene.label(name_of(contact->points, i), contact->points.col(i), 0.2, -0.9);
-  }
+  if (contact) name_contact(scene, contact->points);
   Figure figure(studio, "figure-05", scene.size());
   scene.draw(figure);
   figure.draw();

@@ -35,7 +35,7 @@ void draw_order(const program::Program& program) {
   const Mesh stairs = general_sphere_chapter::step();
   const auto height = [&](double t) { return falling.shape.center.z() + t * falling.displacement.z(); };
   const double through = height(general_sphere_chapter::first_face_in_the_list(falling, stairs)->time);
-  const double touching = height(sweep(falling, stairs)->time);
+  const double touching = height(sweep(falling, Environment(stairs))->time);
   scene.polygon({at(-2, -0.25), at(2, -0.25), at(2, 0), at(-2, 0)}, {colour::floor}, -2);
   scene.polygon({at(0, 0), at(2, 0), at(2, 1), at(0, 1)}, {colour::floor}, -2);
   scene.line({at(-2, 0), at(2, 0)}, {colour::blue, 2.4}, -1);

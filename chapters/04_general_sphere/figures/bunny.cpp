@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "figures.hpp"
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "parts.hpp"
 #include "places.hpp"

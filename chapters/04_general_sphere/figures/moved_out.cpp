@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "figures.hpp"
-#include "first_contact/sweep/sphere_mesh.hpp"
+#include "first_contact/sweep/sphere_triangle.hpp"
 #include "parts.hpp"
 #include "rounded.hpp"
 
@@ -48,7 +48,7 @@ void draw_face_first(const Studio& studio) {
   const Point start = at(-2.0, 2.3), a = at(-1.05, r);
   const Vector path = a - start;
   const Contact b =
-      *sweep(Moving<Sphere>{{start, r}, 3 * path}, Mesh({at(0, 0), at(0, 0), at(0, 0)}, {{0, 1, 2}}));
+      *sweep(Moving<Sphere>{{start, r}, 3 * path}, Triangle(at(0, 0), at(0, 0), at(0, 0)));
   const Point inside = start + b.time * 3 * path;
   scene.line({start, start + 2.6 * path}, {colour::red, 1.0, true});
   scene.arrow(start, a);

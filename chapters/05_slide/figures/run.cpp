@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "figures.hpp"
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 #include "parts.hpp"
 #include "places.hpp"
 

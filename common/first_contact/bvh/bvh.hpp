@@ -6,7 +6,7 @@
 
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/sphere.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 

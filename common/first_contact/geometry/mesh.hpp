@@ -21,6 +21,8 @@ class Mesh {
   const std::vector<Point>& vertices() const { return vertices_; }
   /// All faces.
   const std::vector<Face>& faces() const { return faces_; }
+  /// The largest coordinate of a vertex, without its sign; 0 if there is none.
+  double largest_coordinate() const { return largest_coordinate_; }
   /// The number of triangles.
   std::size_t size() const { return faces_.size(); }
   /// The triangle with number i < size().
@@ -31,6 +33,7 @@ class Mesh {
  private:
   std::vector<Point> vertices_;
   std::vector<Face> faces_;
+  double largest_coordinate_ = 0;
 };
 
 }  // namespace first_contact

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 
 namespace first_contact {
 

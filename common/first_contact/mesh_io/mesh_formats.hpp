@@ -6,7 +6,7 @@
 #include "first_contact/mesh_io/polygons.hpp"
 
 /// \file
-/// The readers of the mesh formats. Programs include mesh_file.hpp instead.
+/// The readers of the mesh formats. Programs include read_mesh.hpp instead.
 
 namespace first_contact {
 

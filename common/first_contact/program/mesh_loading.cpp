@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "first_contact/files/printable.hpp"
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 #include "first_contact/program/progress_line.hpp"
 
 namespace first_contact::program {

@@ -114,20 +114,20 @@ Way Walls::way_on(const Vector& rest, const Vector& forwards) const {
 }
 //! [slide_way_on]
 
-double gap_of_scene(const Moving<Sphere>& moving, double extent) {
+double gap_of_scene(const Moving<Sphere>& moving, double largest_coordinate) {
   const auto& [sphere, wish] = moving;
   const double farthest = sphere.center.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>();
-  return slide_gap * std::max({farthest, extent, sphere.radius});
+  return slide_gap * std::max({farthest, largest_coordinate, sphere.radius});
 }
 
 }  // namespace
 
 //! [slide]
-Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, double extent,
+Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, double largest_coordinate,
             int most_contacts) {
   const Vector& wish = moving.displacement;
   const Vector forwards = normalized(wish);
-  const double gap = gap_of_scene(moving, extent);
+  const double gap = gap_of_scene(moving, largest_coordinate);
 
   Slide path{{moving.shape.center}, {}, Ending::arrived};
   Walls walls(gap);
@@ -164,16 +164,5 @@ Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, d
   return path;
 }
 //! [slide]
-
-double extent(const Triangle& triangle) {
-  return std::max({triangle.a.lpNorm<Eigen::Infinity>(), triangle.b.lpNorm<Eigen::Infinity>(),
-                   triangle.c.lpNorm<Eigen::Infinity>()});
-}
-
-double extent(const Mesh& mesh) {
-  double largest = 0;
-  for (const Point& vertex : mesh.vertices()) largest = std::max(largest, vertex.lpNorm<Eigen::Infinity>());
-  return largest;
-}
 
 }  // namespace first_contact

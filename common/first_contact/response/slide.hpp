@@ -1,16 +1,12 @@
 #pragma once
-#include <cmath>
+#include <concepts>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "first_contact/geometry/environment.hpp"
-#include "first_contact/geometry/mesh.hpp"
-#include "first_contact/geometry/plane.hpp"
-#include "first_contact/geometry/sphere.hpp"
-#include "first_contact/geometry/triangle.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/geometry/largest_coordinate.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 
@@ -68,25 +64,21 @@ inline constexpr double slide_same_wall = 0x1p-26;
 /// happens to be next to something that it did not meet. It never goes through anything, never further than
 /// asked, and never back, all but for the gap. If it overlaps something at the start, it gets no deeper.
 ///
-/// \param extent  the largest coordinate of the environment, which the rounding of a sweep is relative to
+/// \param largest_coordinate  of the environment: the rounding of a sweep is relative to it
 /// \param most_contacts  how often it may meet something before it stops for good
-Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, double extent,
+Slide slide(const Moving<Sphere>& moving, const SphereSweep& first_contact_of, double largest_coordinate,
             int most_contacts = 64);
 
-/// The largest coordinate that describes an obstacle: its scale, for `slide`.
-inline double extent(const Plane& plane) { return std::abs(plane.offset()); }
-/// Of a triangle.
-double extent(const Triangle& triangle);
-/// Of a mesh.
-double extent(const Mesh& mesh);
-/// Of an environment.
-inline double extent(const Environment& environment) { return extent(environment.mesh()); }
-
-/// Slides along any obstacle for which `sweep(moving, obstacle)` and `extent(obstacle)` exist.
-template <class Obstacle>
-Slide slide(const Moving<Sphere>& moving, const Obstacle& obstacle) {
+/// Slides along any obstacle at rest: whatever `sweep(moving, obstacle)` and `largest_coordinate(obstacle)` are
+/// written for.
+template <Obstacle Any>
+requires requires(const Any& obstacle) {
+  { largest_coordinate(obstacle) } -> std::convertible_to<double>;
+}
+Slide slide(const Moving<Sphere>& moving, const Any& obstacle) {
   return slide(
-      moving, [&](const Moving<Sphere>& part) { return sweep(part, obstacle); }, extent(obstacle));
+      moving, [&](const Moving<Sphere>& part) { return sweep(part, obstacle); },
+      largest_coordinate(obstacle));
 }
 
 }  // namespace first_contact

@@ -1,7 +1,7 @@
 #pragma once
 #include "first_contact/geometry/box.hpp"
 #include "first_contact/geometry/plane.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 

@@ -3,9 +3,8 @@
 #include <limits>
 #include <optional>
 #include <ostream>
-#include <utility>
 
-#include "first_contact/geometry/space.hpp"
+#include "first_contact/sweep/moving.hpp"
 
 /// \file
 /// One verb, one answer: `sweep(moving, obstacle)` gives the first contact of a motion, if there is one.
@@ -38,18 +37,6 @@
 /// \see tests/digest/, tests/unit/same_bits.cpp
 
 namespace first_contact {
-
-/// A shape at t = 0 and its displacement V over t in [0, 1].
-template <class Shape>
-struct Moving {
-  /// \throws std::invalid_argument if the displacement is not finite, or longer than `largest_length`.
-  Moving(Shape s, const Vector& v) : shape(std::move(s)), displacement(v) {
-    require_finite(displacement, "displacement");
-  }
-
-  Shape shape;          ///< where it is at t = 0
-  Vector displacement;  ///< V, from t = 0 to t = 1
-};
 
 /// What of a polyhedron is touched. A plane and a sphere have but one smooth face.
 enum class Feature { face, edge, vertex };

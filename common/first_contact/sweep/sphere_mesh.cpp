@@ -30,8 +30,4 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const Environment& en
 }
 //! [sweep_sphere_mesh]
 
-std::optional<Contact> sweep(const Moving<Sphere>& moving, const Mesh& mesh) {
-  return sweep(moving, Environment(mesh));
-}
-
 }  // namespace first_contact

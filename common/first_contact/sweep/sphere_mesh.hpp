@@ -1,7 +1,7 @@
 #pragma once
 #include "first_contact/geometry/environment.hpp"
 #include "first_contact/geometry/sphere.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 
@@ -20,7 +20,5 @@ bool overlap(const Sphere& sphere, const Environment& environment);
 /// answer does not depend on the order of the triangles. The error is that of a sphere and a triangle, see
 /// sphere_triangle.hpp.
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Environment& environment);
-/// The same for a single cast. Who casts more than once makes an Environment first.
-std::optional<Contact> sweep(const Moving<Sphere>& moving, const Mesh& mesh);
 
 }  // namespace first_contact

@@ -1,8 +1,8 @@
 #pragma once
 #include "first_contact/geometry/sphere.hpp"
-#include "first_contact/sweep/contact.hpp"
 #include "first_contact/sweep/contact_times.hpp"
 #include "first_contact/sweep/interval.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "first_contact/geometry/sphere.hpp"
 #include "first_contact/geometry/triangle.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 

@@ -7,7 +7,7 @@
 
 #include "first_contact/geometry/mesh.hpp"
 #include "first_contact/geometry/refuse.hpp"
-#include "first_contact/sweep/contact.hpp"
+#include "first_contact/sweep/obstacle.hpp"
 
 namespace first_contact {
 

@@ -26,4 +26,10 @@ std::optional<Contact> sweep(const Moving<Sphere>& ball, const Soup<Tree>& soup,
 }
 //! [sweep_soup]
 
+/// The largest coordinate of a corner: how far the rounding of a sweep may go is relative to it.
+template <Partition Tree>
+double largest_coordinate(const Soup<Tree>& soup) {
+  return largest_coordinate(soup.bounds());
+}
+
 }  // namespace first_contact

@@ -1,4 +1,4 @@
-#include "first_contact/mesh_io/mesh_file.hpp"
+#include "first_contact/mesh_io/read_mesh.hpp"
 
 #include <algorithm>
 #include <array>
