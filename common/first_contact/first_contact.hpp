@@ -30,6 +30,8 @@
 #include "first_contact/geometry/mesh_edges.hpp"
 #include "first_contact/geometry/environment.hpp"
 
+#include "first_contact/files/file_error.hpp"
+
 #include "first_contact/mesh_io/mesh_defects.hpp"
 #include "first_contact/mesh_io/read_mesh.hpp"
 
@@ -49,6 +51,8 @@
 #include "first_contact/sweep/sphere_triangle.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_box.hpp"
+#include "first_contact/sweep/first_touch.hpp"
+#include "first_contact/sweep/known_environment.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/turning_mesh.hpp"
 #include "first_contact/sweep/interval.hpp"
@@ -59,7 +63,6 @@
 #include "first_contact/trees/tree.hpp"
 #include "first_contact/trees/brute_force.hpp"
 #include "first_contact/trees/octree.hpp"
-#include "first_contact/trees/plain_bvh.hpp"
 #include "first_contact/trees/bsp_tree.hpp"
 #include "first_contact/trees/box_tree.hpp"
 #include "first_contact/trees/ball_search.hpp"
@@ -68,6 +71,8 @@
 #include "first_contact/trees/collection.hpp"
 #include "first_contact/trees/objects.hpp"
 #include "first_contact/trees/soup.hpp"
+#include "first_contact/trees/bin_cut.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 
 #include "first_contact/bvh/bvh.hpp"
 

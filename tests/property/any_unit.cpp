@@ -101,6 +101,14 @@ void check_scaled(const std::optional<Contact>& answer, const std::optional<Cont
     check_scaled(answer->points.col(k), at_size_1->points.col(k), power);
 }
 
+void check_scaled(const std::optional<CurveContact>& answer, const std::optional<CurveContact>& at_size_1,
+                  int power) {
+  REQUIRE(answer.has_value() == at_size_1.has_value());
+  if (!answer) return;
+  REQUIRE(answer->u == at_size_1->u);
+  check_scaled(std::optional(answer->contact), std::optional(at_size_1->contact), power);
+}
+
 // Asks `ask(power)` in each unit; it compares by check_scaled what it finds with what it finds at size 1.
 template <class Ask>
 void in_every_unit(std::uint64_t seed, int rounds, const Ask& ask) {
@@ -316,7 +324,7 @@ TEST_CASE("A floor as wide as 1e200 carries a ball of 1") {
 TEST_CASE("What is far away does not touch what is near: a mesh with one vertex at 1e250") {
   const Mesh mesh({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1e250, 1e250, 1e250}, {1e250, 1e250, 2e250}},
                   {{0, 1, 2}, {2, 3, 4}});
-  const auto contact = sweep(Moving<Sphere>{{{1, 1, 3}, 1}, {0, 0, -4}}, mesh);
+  const auto contact = sweep(Moving<Sphere>{{{1, 1, 3}, 1}, {0, 0, -4}}, Environment(mesh));
   REQUIRE(contact);
   CHECK(contact->time == 0.5);
   CHECK(contact->triangle == 0);

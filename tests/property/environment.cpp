@@ -73,7 +73,8 @@ TEST_CASE("The answer does not depend on the order of the triangles") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
     const Mesh shuffled = random.shuffled(scene.mesh);
-    const auto a = sweep(scene.moving, Environment(scene.mesh)), b = sweep(scene.moving, Environment(shuffled));
+    const auto a = sweep(scene.moving, Environment(scene.mesh)),
+               b = sweep(scene.moving, Environment(shuffled));
     check_same(a, b);
     if (!a) return;
     const auto reached = [&](const Mesh& mesh, std::size_t i) {
@@ -87,7 +88,8 @@ TEST_CASE("The answer does not depend on the order of the triangles") {
 TEST_CASE("A mesh without shared vertices is the same surface") {
   for_many_seeds([](Random& random) {
     const Scene scene = random.scene();
-    check_same(sweep(scene.moving, Environment(scene.mesh)), sweep(scene.moving, Environment(test_meshes::unwelded(scene.mesh))));
+    check_same(sweep(scene.moving, Environment(scene.mesh)),
+               sweep(scene.moving, Environment(test_meshes::unwelded(scene.mesh))));
   });
 }
 
@@ -172,7 +174,7 @@ TEST_CASE("No ray slips through a seam or a vertex of a closed surface") {
     for (std::size_t i = 0; i < cube.size(); ++i)
       met = met || sweep(Moving<Point>{shift + 2 * outward, -1.5 * outward}, cube.triangle(i));
     CHECK(met);
-    CHECK(sweep(Moving<Sphere>{{shift + 2 * outward, 0}, -1.5 * outward}, cube));
+    CHECK(sweep(Moving<Sphere>{{shift + 2 * outward, 0}, -1.5 * outward}, Environment(cube)));
   });
 }
 

@@ -19,7 +19,12 @@ const std::size_t mathematics = 11;  // the first eleven are what a user gets wi
 
 // The header that includes all the others; and those that are nobody's but their neighbours'.
 const std::string everything = "first_contact.hpp";
-const std::vector<std::string> insides{"mesh_io/mesh_formats.hpp", "batch/desk.hpp", "batch/loops.hpp"};
+const std::vector<std::string> insides{
+    "files/decimal.hpp",        "files/input.hpp",          "files/output.hpp",
+    "files/printable.hpp",      "mesh_io/flat_polygon.hpp", "mesh_io/mesh_bytes.hpp",
+    "mesh_io/mesh_formats.hpp", "mesh_io/orientation.hpp",  "mesh_io/ply_header.hpp",
+    "mesh_io/polygons.hpp",     "mesh_io/text_lines.hpp",   "batch/desk.hpp",
+    "batch/loops.hpp"};
 
 std::size_t rank(const std::string& folder) {
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), folder) - order.begin());

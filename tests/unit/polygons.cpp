@@ -152,8 +152,8 @@ TEST_CASE("A face with a dent is no larger than it is: what falls beside it touc
   const Mesh mesh = read("a.obj", "v 0 0 0\nv 2 1 0\nv 4 0 0\nv 2 4 0\nf 1 2 3 4\n");
   CHECK(mesh.size() == 2);
   CHECK(area(mesh) == 6);
-  CHECK_FALSE(sweep(Moving<Sphere>{{{2, 0.5, 1}, 0.1}, {0, 0, -2}}, mesh));
-  CHECK(sweep(Moving<Sphere>{{{2, 2, 1}, 0.1}, {0, 0, -2}}, mesh));
+  CHECK_FALSE(sweep(Moving<Sphere>{{{2, 0.5, 1}, 0.1}, {0, 0, -2}}, Environment(mesh)));
+  CHECK(sweep(Moving<Sphere>{{{2, 2, 1}, 0.1}, {0, 0, -2}}, Environment(mesh)));
 }
 
 TEST_CASE("A face is cut alike wherever it stands in space, at any size, and from its back") {

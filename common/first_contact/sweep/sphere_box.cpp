@@ -8,6 +8,7 @@
 #include "first_contact/geometry/box_frame.hpp"
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 #include "first_contact/sweep/moved_out.hpp"
 #include "first_contact/sweep/nearest.hpp"
 
@@ -151,28 +152,48 @@ std::optional<Contact> from_outside(const Moving<Sphere>& moving, const BoxFrame
                               : Feature::vertex};
 }
 
+/// The question with the box's centre for the origin and, where squares would leave the range of double, in a
+/// unit of its own.
+struct Seen {
+  Seen(const Sphere& sphere, const Vector& displacement, const Box& solid)
+      : unit(unit_of(sphere, displacement, solid)),
+        moving(Sphere{unit * (sphere.center - solid.center), unit * sphere.radius}, unit * displacement),
+        box(Point::Zero(), unit * solid.r, unit * solid.s, unit * solid.t) {}
+
+  static double unit_of(const Sphere& sphere, const Vector& displacement, const Box& box) {
+    const double size = std::max({largest(sphere.center - box.center), largest(box.r, box.s, box.t),
+                                  largest(displacement), sphere.radius});
+    return is_ordinary(size) ? 1 : unit_scale(size);
+  }
+
+  double unit;
+  Moving<Sphere> moving;
+  Box box;
+};
+
 }  // namespace
 
 bool overlap(const Sphere& sphere, const Box& box) {
-  const Point center = sphere.center - box.center;
-  if (BoxFrame(box).holds(center)) return true;
-  return squared_norm(BoxSurface(box).nearest(center) - center) <= sphere.radius * sphere.radius;
+  const Seen seen(sphere, Vector::Zero(), box);
+  const Point& center = seen.moving.shape.center;
+  return BoxFrame(seen.box).holds(center) ||
+         within(BoxSurface(seen.box).nearest(center) - center, seen.moving.shape.radius);
 }
 
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Box& box) {
-  const Point center = moving.shape.center - box.center;
-  const Moving<Sphere> seen{{center, moving.shape.radius}, moving.displacement};  // from the box's centre
-  const BoxFrame frame(box);
-  const BoxSurface surface(box);
+  const Seen seen(moving.shape, moving.displacement, box);
+  const auto& [center, radius] = seen.moving.shape;
+  const BoxFrame frame(seen.box);
+  const BoxSurface surface(seen.box);
   const Point foot = surface.nearest(center);
   std::optional<Contact> contact;
   if (frame.holds(center))
-    contact = from_within(seen, frame);
-  else if (squared_norm(center - foot) <= moving.shape.radius * moving.shape.radius)
-    contact = from_outside(seen, frame, foot);
-  else if (const auto touch = surface.first_touch(seen))
+    contact = from_within(seen.moving, frame);
+  else if (within(center - foot, radius))
+    contact = from_outside(seen.moving, frame, foot);
+  else if (const auto touch = surface.first_touch(seen.moving))
     contact = Contact{touch->time, only(touch->point), touch->normal, touch->feature};
-  if (contact) contact->points.colwise() += box.center;
+  if (contact) contact->points = (contact->points / seen.unit).colwise() + box.center;
   return contact;
 }
 
