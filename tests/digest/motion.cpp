@@ -87,13 +87,20 @@ void tweens(Record& record) {
   }
 }
 
+/// A contact along a curve, told by where on the curve it is.
+std::optional<Contact> at_its_place(std::optional<CurveContact> along) {
+  if (!along) return std::nullopt;
+  along->contact.time = along->u;
+  return along->contact;
+}
+
 void along_curves(Record& record) {
   Dice dice(24);
   for (int i = 0; i < cases / 10; ++i, record.next()) {
     const Curve path = curve(dice, 1);
     const double radius = 0.25 * dice.length();
-    record.add(sweep_along(path, radius, plane(dice, 1), 0x1p-8));
-    record.add(sweep_along(path, radius, triangle(dice, 1), 0x1p-8));
+    record.add(at_its_place(sweep_along(path, radius, plane(dice, 1), 0x1p-8)));
+    record.add(at_its_place(sweep_along(path, radius, triangle(dice, 1), 0x1p-8)));
   }
 }
 
