@@ -169,6 +169,14 @@ void print_head() {
   std::printf(" %7s %6s %8s %8s\n", "missed", "false", "error", "worst");
 }
 
+void print_foot(std::size_t judged) {
+  std::printf(
+      "missed, false: of %zu casts of each kind, less those that overlap at the start; grazes within 1e-12 r "
+      "are neither.\n"
+      "error: of the time of contact, the median and the worst.\n",
+      judged);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -201,11 +209,7 @@ int main(int argc, char** argv) {
     print(rows);
     all.insert(all.end(), rows.begin(), rows.end());
   }
-  std::printf(
-      "missed, false: of %zu casts of each kind, less those that overlap at the start; grazes within 1e-12 r "
-      "are neither.\n"
-      "error: of the time of contact, the median and the worst.\n",
-      judged);
+  print_foot(judged);
   figure::Studio studio;
   studio.folder = out;
   draw(studio, "cost", "a hop, in ns", all, [](const Row& row) { return row.ns[1]; });

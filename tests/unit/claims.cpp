@@ -8,7 +8,7 @@
 using namespace first_contact;
 using program::Counted;
 
-TEST_CASE("At a flat seam no point slips between two faces; balls do, and the edge stops them") {
+TEST_CASE("At a flat seam no point slips between two faces, but balls do, and the edge stops them") {
   const auto points = general_sphere_chapter::shots_at_a_seam(0);
   CHECK(points.both_faces_missed == 0);
   const auto balls = general_sphere_chapter::shots_at_a_seam(1);

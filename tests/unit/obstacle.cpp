@@ -58,7 +58,8 @@ TEST_CASE("A floor is a floor, whatever it is made of: for a sphere, for a point
     CHECK(point->time == 0.5);
     CHECK_FALSE(sweep(Moving{Point(1.25, 2, 2), Vector(0.5, 0, 0)}, ground));
     const Slide path = slide(Moving{Sphere{Point(1, 2, 1.5), 1}, Vector(1, 0.5, -1)}, ground);
-    CHECK((path.end() - Point(2, 2.5, 1)).norm() < 1e-13);
+    const double gap = slide_gap * (4 + largest_coordinate(ground));  // about how far it keeps off
+    CHECK((path.end() - Point(2, 2.5, 1)).norm() < 4 * gap);
   });
 }
 

@@ -63,7 +63,8 @@ TEST_CASE("In an octree of clustered objects the depth has nothing to do with lo
 }
 
 TEST_CASE(
-    "An octree fits two points so closely that one cut parts them; a third one far away makes it as deep as "
+    "An octree fits two points so closely that one cut parts them, and a third one far away makes it as deep "
+    "as "
     "they are close") {
   const auto at = [](const Point& p) { return Bounds(p, p); };
   for (const int n : {3, 10, 20, 30}) {

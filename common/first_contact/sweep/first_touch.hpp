@@ -20,9 +20,9 @@ namespace first_contact {
 
 /// A face, its corners by the numbers that its surface has for them, each position one number.
 struct FaceAt {
-  std::uint32_t number;
-  std::array<std::uint32_t, 3> corners;
-  Facet facet;
+  std::uint32_t number;                  ///< its place in the mesh
+  std::array<std::uint32_t, 3> corners;  ///< in its own order
+  Facet facet;                           ///< the face itself
 
   /// Is it a corner?
   bool has(std::uint32_t vertex) const {
@@ -89,9 +89,10 @@ class FirstTouch {
 
 /// The sides of some faces at one edge: as vectors, and the directions in which the faces leave it.
 struct SidesAtEdge {
-  std::vector<FaceAround> faces;
-  std::vector<Vector> along;
+  std::vector<FaceAround> faces;  ///< those that have the edge
+  std::vector<Vector> along;      ///< the edge as each of them goes along it
 
+  /// Those of `all` that have the edge.
   SidesAtEdge(const std::vector<FaceAt>& all, std::uint32_t from, std::uint32_t to) {
     for (const FaceAt& face : all) {
       const std::array<Point, 3> at{face.facet.triangle.a, face.facet.triangle.b, face.facet.triangle.c};

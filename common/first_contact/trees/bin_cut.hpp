@@ -18,6 +18,7 @@ template <class Work>
 struct BinCut {
   int axis = -1;        ///< none
   std::size_t bin = 0;  ///< the last one of the lower part
+  /// What is to be expected of it: the sum of surface times work, of both parts.
   Work work = std::numeric_limits<Work>::infinity();
   std::size_t larger = 0;  ///< how many things are in the larger part
 
