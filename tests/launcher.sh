@@ -32,9 +32,9 @@ check "an unknown command is refused" refused draw
 
 say() { printf '%s\n' "$*"; }
 root=$PWD
-. launcher/needs.sh
-. launcher/build.sh
-. launcher/figures.sh
+. .course/needs.sh
+. .course/build.sh
+. .course/figures.sh
 
 advice_on() {  # KERNEL, ID: what is advised there
   (kernel=$1

@@ -139,9 +139,9 @@ void give_contacts(Program& program, const Slide& path) {
 //! [notes]
 // More numbers that the notes speak of: of one wall, of walls one after the other, of a walk over the bunny.
 void note_wall(Program& program, const Environment& environment, const Moving<Sphere>& ball) {
-  program.value("gap",
-                slide_gap * std::max(largest_coordinate(environment), ball.shape.center.lpNorm<Eigen::Infinity>() +
-                                                              ball.displacement.lpNorm<Eigen::Infinity>()));
+  program.value("gap", slide_gap * std::max(largest_coordinate(environment),
+                                            ball.shape.center.lpNorm<Eigen::Infinity>() +
+                                                ball.displacement.lpNorm<Eigen::Infinity>()));
   const auto contact = sweep(ball, environment);
   if (!contact) return;
   const Point p2 = ball.shape.center + ball.displacement;

@@ -52,7 +52,8 @@ std::string value_of(const Numbers& option, const std::string& number, int place
 // Only what does not happen is null: a contact, its time, the end of a bounce.
 bool all_numbers(const nlohmann::json& result) {
   for (const auto& [key, value] : result.items()) {
-    if (value.is_null() && key != "contact" && key != "time" && key != "rest_time" && key != "separation_time")
+    if (value.is_null() && key != "contact" && key != "time" && key != "rest_time" &&
+        key != "separation_time")
       return false;
     if (value.is_structured() && !all_numbers(value)) return false;
   }

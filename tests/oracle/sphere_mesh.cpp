@@ -1,3 +1,5 @@
+#include "first_contact/sweep/sphere_mesh.hpp"
+
 #include <cmath>
 #include <limits>
 #include <random>
@@ -6,7 +8,6 @@
 #include "catch.hpp"
 #include "chance.hpp"
 #include "exact_triangle.hpp"
-#include "first_contact/sweep/sphere_mesh.hpp"
 #include "test_meshes.hpp"
 
 using namespace first_contact;

@@ -1,12 +1,13 @@
 // Moving spheres against the paper's own formula, evaluated with 50 digits on the very doubles that the
 // library gets, and against dense sampling of the distance.
 
+#include "first_contact/sweep/sphere_sphere.hpp"
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <random>
 
 #include "catch.hpp"
-#include "first_contact/sweep/sphere_sphere.hpp"
 
 using namespace first_contact;
 using Real = boost::multiprecision::cpp_bin_float_50;

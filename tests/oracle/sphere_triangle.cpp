@@ -1,3 +1,5 @@
+#include "first_contact/sweep/sphere_triangle.hpp"
+
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -7,7 +9,6 @@
 #include "catch.hpp"
 #include "exact_triangle.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
-#include "first_contact/sweep/sphere_triangle.hpp"
 
 using namespace first_contact;
 

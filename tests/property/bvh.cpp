@@ -10,10 +10,10 @@
 #include "catch.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
 #include "first_contact/bvh/cast/sphere_cast.hpp"
-#include "first_contact/trees/plain_bvh.hpp"
 #include "first_contact/geometry/environment.hpp"
 #include "first_contact/program/terrain.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 #include "property/same_contact.hpp"
 
 using namespace first_contact;

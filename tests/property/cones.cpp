@@ -8,8 +8,8 @@
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
 #include "first_contact/bvh/cast/sphere_cast.hpp"
-#include "first_contact/trees/plain_bvh.hpp"
 #include "first_contact/program/terrain.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 #include "property/same_contact.hpp"
 
 using namespace first_contact;

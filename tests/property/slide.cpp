@@ -69,8 +69,8 @@ Trip random_trip() {
   const double radius = 0.1 + std::abs(number());
   const Vector wish = *rc::gen::element(1e-9, 0.1, 1.0, 30.0) * vector();
   const Room room = room_around(start, radius);
-  const double scale =
-      std::max({start.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), largest_coordinate(room), radius});
+  const double scale = std::max(
+      {start.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), largest_coordinate(room), radius});
   return {room, Moving<Sphere>{{start, radius}, wish}, scale};
 }
 

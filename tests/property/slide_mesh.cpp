@@ -127,8 +127,8 @@ struct Trip {
   Vector wish;
 
   double scale() const {
-    return std::max(
-        {ball.center.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(), largest_coordinate(mesh), ball.radius});
+    return std::max({ball.center.lpNorm<Eigen::Infinity>() + wish.lpNorm<Eigen::Infinity>(),
+                     largest_coordinate(mesh), ball.radius});
   }
 };
 

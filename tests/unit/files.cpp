@@ -97,7 +97,7 @@ TEST_CASE("Of many runs that write one file at the same time, the last one's con
 
 TEST_CASE("What cannot be read is refused by name: a folder, what is missing, what has no end") {
   const Folder folder;
-    CHECK_THROWS_WITH(read_file(folder.path()), ContainsSubstring("must be a file, not a folder"));
+  CHECK_THROWS_WITH(read_file(folder.path()), ContainsSubstring("must be a file, not a folder"));
   CHECK_THROWS_WITH(read_file(folder.path() / "none"),
                     ContainsSubstring("none: must be a file that exists and can be read"));
   CHECK(read_file(folder.file("a", std::string("\0b\n", 3))) == std::string("\0b\n", 3));

@@ -103,8 +103,10 @@ TEST_CASE("A file that is packed, or in UTF-16, is told as such") {
   const std::string ending = GENERATE("obj", "off", "ply", "stl");
   CHECK_THAT(refusal("a." + ending, "\x1f\x8b\x08 and so on"), ContainsSubstring("is packed (gzip)"));
   CHECK_THAT(refusal("a." + ending, std::string("PK\3\4 and so on")), ContainsSubstring("is packed (zip)"));
-  CHECK_THAT(refusal("a." + ending, std::string("\xFF\xFEv\0 \0", 6)), ContainsSubstring("is text in UTF-16"));
-  CHECK_THAT(refusal("a." + ending, std::string("v\0 \0\x30\0 \0", 8)), ContainsSubstring("is text in UTF-16"));
+  CHECK_THAT(refusal("a." + ending, std::string("\xFF\xFEv\0 \0", 6)),
+             ContainsSubstring("is text in UTF-16"));
+  CHECK_THAT(refusal("a." + ending, std::string("v\0 \0\x30\0 \0", 8)),
+             ContainsSubstring("is text in UTF-16"));
 }
 
 TEST_CASE("What a refusal quotes is short, on one line, and does nothing to a terminal") {

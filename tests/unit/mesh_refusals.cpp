@@ -21,7 +21,8 @@ TEST_CASE("Who listens to the reading of a file that is refused is never told th
 
 TEST_CASE("A missing file, a folder and an unknown ending are refused by name") {
   const Folder folder;
-  CHECK_THROWS_WITH(read_mesh(folder.path() / "none.obj"), ContainsSubstring("none.obj: must be a file that exists"));
+  CHECK_THROWS_WITH(read_mesh(folder.path() / "none.obj"),
+                    ContainsSubstring("none.obj: must be a file that exists"));
   fs::create_directory(folder.path() / "dir.off");
   CHECK_THROWS_WITH(read_mesh(folder.path() / "dir.off"), ContainsSubstring("dir.off: must be a file"));
   CHECK(refusal("a.fbx", "v 0 0 0") == "a.fbx: the name must end in .obj, .off, .ply or .stl");

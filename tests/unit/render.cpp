@@ -45,7 +45,8 @@ TEST_CASE("A gnuplot that does nothing and says that all is well is noticed: the
 
 TEST_CASE("A gnuplot that hangs is stopped in time, with all that it has started") {
   const Impostor hanging("touch \"$0.began\"; sleep 3; touch \"$0.ended\"");
-  CHECK(seconds_of([&] { CHECK_THROWS_WITH(hanging.draw(), ContainsSubstring("was not done in 0.4 s")); }) < 3);
+  CHECK(seconds_of([&] { CHECK_THROWS_WITH(hanging.draw(), ContainsSubstring("was not done in 0.4 s")); }) <
+        3);
   CHECK(fs::exists(hanging.path() / "gnuplot.began"));
   std::this_thread::sleep_for(std::chrono::seconds(4));
   CHECK_FALSE(fs::exists(hanging.path() / "gnuplot.ended"));

@@ -47,8 +47,7 @@ void draw_face_first(const Studio& studio) {
   scene.line(arc(at(0, 0), r), {colour::green, 1.4, true});
   const Point start = at(-2.0, 2.3), a = at(-1.05, r);
   const Vector path = a - start;
-  const Contact b =
-      *sweep(Moving<Sphere>{{start, r}, 3 * path}, Triangle(at(0, 0), at(0, 0), at(0, 0)));
+  const Contact b = *sweep(Moving<Sphere>{{start, r}, 3 * path}, Triangle(at(0, 0), at(0, 0), at(0, 0)));
   const Point inside = start + b.time * 3 * path;
   scene.line({start, start + 2.6 * path}, {colour::red, 1.0, true});
   scene.arrow(start, a);

@@ -20,21 +20,13 @@ struct Parts;
 /// works is told in bvh/build/ (layout.hpp: memory; split.hpp, collapse.hpp, pack.hpp), bvh/kernels/ (casting,
 /// eight boxes or triangles at once) and bvh/cast/ (one cast, many, and deciding).
 ///
-/// Measured on an idle machine (./course bench), of the time of a plain tree with the sweep of a textbook,
-/// which finds a time and no more:
-///
-/// | triangles | micro | hop | long | aimed |
-/// | --- | --- | --- | --- | --- |
-/// | 2,048 | .26 | .33 | .35 | .41 |
-/// | 20,000 | .25 | .29 | .34 | .39 |
-/// | 199,712 | .15 | .21 | .22 | .27 |
-/// | 999,698 | .16 | .21 | .19 | .22 |
+/// What it takes, of the time of a plain tree with the sweep of a textbook, which finds a time and no more, is
+/// printed by ./course bench.
 ///
 /// What limits it. In a small tree: step waits for step, from the first node to the contact. A walk as good as
 /// this one that took the first time it computes for the answer would need two thirds of the time; the rest
 /// makes the answer exact and whole: point, normal, feature and triangle, the same on every machine. In a
-/// large tree also memory, for which one cast waits; many in turns take .12 to .18 at a million triangles. A
-/// cast that begins in the ground costs more than others here, where it is asked what it goes deeper into,
+/// large tree also memory, for which one cast waits and many take turns. A cast that begins in the ground costs more than others here, where it is asked what it goes deeper into,
 /// and less in the textbook, whose answer is 0 as soon as it overlaps anything.
 class Bvh {
  public:
