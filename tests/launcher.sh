@@ -73,7 +73,7 @@ check "no formula is left in a caption" silent_of "$(captions)" "\\"
 
 elsewhere=$(mktemp -d)
 trap 'rm -rf "$elsewhere"' EXIT
-cp -R launcher "$elsewhere/"
+cp -R .course "$elsewhere/"
 cd "$elsewhere"
 root=$PWD
 unset FIRST_CONTACT_ALONE
