@@ -94,4 +94,3 @@
 
 #include "first_contact/stage/hit_test.hpp"
 // clang-format on
-// clang-format on
