@@ -97,6 +97,46 @@ TEST_CASE("Bounce touches the floor at 1, 2, 2.5 and 2.75 of 2.75, and rises to 
   CHECK(1 - ease::out_bounce(2.25 / 2.75) == Approx(1.0 / 16).margin(rounding));
 }
 
+TEST_CASE("An easing knows where it turns back: at the extremes of its formula, and nowhere else") {
+  const Easing back(ease::in_back), wave([](double t) { return t + 0.2 * std::sin(12 * t); });
+  REQUIRE(back.turns().size() == 1);
+  CHECK(back.turns()[0] == Approx(2 * 1.70158 / (3 * 2.70158)).epsilon(1e-7));
+  REQUIRE(wave.turns().size() == 4);  // cos 12 t = -1 / 2.4
+  CHECK(wave.turns()[0] == Approx(std::acos(-1 / 2.4) / 12).epsilon(1e-7));
+  CHECK(wave.turns()[1] == Approx((2 * 3.14159265358979 - std::acos(-1 / 2.4)) / 12).epsilon(1e-7));
+  const Easing bounce(ease::out_bounce);
+  REQUIRE(bounce.turns().size() == 6);
+  for (const auto& [i, s] : {std::pair(0, 1.0), {1, 1.5}, {2, 2.0}, {3, 2.25}, {4, 2.5}, {5, 2.625}})
+    CHECK(bounce.turns()[static_cast<std::size_t>(i)] == Approx(s / 2.75).epsilon(1e-7));
+}
+
+TEST_CASE("Between two of its turns an easing only rises or only falls, to within rounding") {
+  for_each_easing([](const ease::Named& named) {
+    std::vector<double> ends{0};
+    ends.insert(ends.end(), named.easing.turns().begin(), named.easing.turns().end());
+    ends.push_back(1);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      const double whole = named.easing(ends[i]) - named.easing(ends[i - 1]);
+      double before = named.easing(ends[i - 1]);
+      for (int k = 1; k <= 999; ++k) {
+        const double now = named.easing(std::lerp(ends[i - 1], ends[i], k / 999.0));
+        CHECK((now - before) * (whole > 0 ? 1 : -1) >= -rounding);
+        before = now;
+      }
+    }
+  });
+}
+
+TEST_CASE("A function of one's own is an easing, with exact ends; none, or one without values, is refused") {
+  const Easing half([](double t) { return 0.25 + t / 2; });
+  CHECK(half(0) == 0);
+  CHECK(half(0.5) == 0.5);
+  CHECK(half(1) == 1);
+  double (*missing)(double) = nullptr;
+  CHECK_THROWS_WITH(Easing(missing), "easing: must be a function");
+  CHECK_THROWS_AS(Easing([](double t) { return 1 / (t - 0.5); }), std::invalid_argument);
+}
+
 TEST_CASE("Damping does not depend on the frame rate: two half steps do what one step does") {
   const double once = damp(3.0, 7.0, 2.5, 0.1);
   CHECK(damp(damp(3.0, 7.0, 2.5, 0.05), 7.0, 2.5, 0.05) == Approx(once).epsilon(1e-15));

@@ -4,7 +4,48 @@
 #include <cmath>
 #include <numbers>
 
+#include "first_contact/geometry/refuse.hpp"
+
 namespace first_contact {
+
+namespace {
+
+// Where it is highest (sign 1) or lowest (-1) between two parts of the time, by thirds. It is flat there: half of
+// the digits of t are enough for all digits of the value.
+double extremum(const std::function<double(double)>& function, double low, double high, int sign) {
+  for (int step = 0; step < 60; ++step) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    const bool nearer_to_b = sign * (function(a) - function(b)) < 0;
+    (nearer_to_b ? low : high) = nearer_to_b ? a : b;
+  }
+  return (low + high) / 2;
+}
+
+std::vector<double> turns_of(const std::function<double(double)>& function) {
+  constexpr int samples = 512;
+  std::vector<double> turns;
+  double before = 0, rising_since = 0;
+  int way = 0;
+  for (int i = 1; i <= samples; ++i) {
+    const double t = i / double(samples), value = i < samples ? function(t) : 1;
+    if (!std::isfinite(value)) refuse("easing's value", value, "must be finite");
+    const int now = (value > before) - (value < before);
+    if (now * way < 0) turns.push_back(extremum(function, rising_since, t, way));
+    if (now != 0) way = now, rising_since = (i - 1) / double(samples);
+    before = value;
+  }
+  return turns;
+}
+
+}  // namespace
+
+Easing::Easing(std::function<double(double)> function, std::vector<double> turns)
+    : known_(std::make_shared<const Known>(Known{std::move(function), std::move(turns)})) {
+  if (!known_->function) refuse("easing", "must be a function");
+}
+
+Easing::Easing(std::function<double(double)> function)
+    : Easing(function, function ? turns_of(function) : std::vector<double>()) {}
 
 namespace ease {
 
@@ -102,37 +143,37 @@ double in_out_elastic(double t) { return in_out<elastic>(t); }
 double in_out_bounce(double t) { return in_out<bounce>(t); }
 
 std::span<const Named> all() {
-  static constexpr std::array<Named, 31> list{{{"linear", linear, linear},
-                                               {"in quadratic", in_quadratic, in_quadratic},
-                                               {"out quadratic", out_quadratic, in_quadratic},
-                                               {"in-out quadratic", in_out_quadratic, in_quadratic},
-                                               {"in cubic", in_cubic, in_cubic},
-                                               {"out cubic", out_cubic, in_cubic},
-                                               {"in-out cubic", in_out_cubic, in_cubic},
-                                               {"in quartic", in_quartic, in_quartic},
-                                               {"out quartic", out_quartic, in_quartic},
-                                               {"in-out quartic", in_out_quartic, in_quartic},
-                                               {"in quintic", in_quintic, in_quintic},
-                                               {"out quintic", out_quintic, in_quintic},
-                                               {"in-out quintic", in_out_quintic, in_quintic},
-                                               {"in sine", in_sine, in_sine},
-                                               {"out sine", out_sine, in_sine},
-                                               {"in-out sine", in_out_sine, in_sine},
-                                               {"in exponential", in_exponential, in_exponential},
-                                               {"out exponential", out_exponential, in_exponential},
-                                               {"in-out exponential", in_out_exponential, in_exponential},
-                                               {"in circular", in_circular, in_circular},
-                                               {"out circular", out_circular, in_circular},
-                                               {"in-out circular", in_out_circular, in_circular},
-                                               {"in back", in_back, in_back},
-                                               {"out back", out_back, in_back},
-                                               {"in-out back", in_out_back, in_back},
-                                               {"in elastic", in_elastic, in_elastic},
-                                               {"out elastic", out_elastic, in_elastic},
-                                               {"in-out elastic", in_out_elastic, in_elastic},
-                                               {"in bounce", in_bounce, in_bounce},
-                                               {"out bounce", out_bounce, in_bounce},
-                                               {"in-out bounce", in_out_bounce, in_bounce}}};
+  static const std::array<Named, 31> list{{{"linear", linear, linear},
+                                           {"in quadratic", in_quadratic, in_quadratic},
+                                           {"out quadratic", out_quadratic, in_quadratic},
+                                           {"in-out quadratic", in_out_quadratic, in_quadratic},
+                                           {"in cubic", in_cubic, in_cubic},
+                                           {"out cubic", out_cubic, in_cubic},
+                                           {"in-out cubic", in_out_cubic, in_cubic},
+                                           {"in quartic", in_quartic, in_quartic},
+                                           {"out quartic", out_quartic, in_quartic},
+                                           {"in-out quartic", in_out_quartic, in_quartic},
+                                           {"in quintic", in_quintic, in_quintic},
+                                           {"out quintic", out_quintic, in_quintic},
+                                           {"in-out quintic", in_out_quintic, in_quintic},
+                                           {"in sine", in_sine, in_sine},
+                                           {"out sine", out_sine, in_sine},
+                                           {"in-out sine", in_out_sine, in_sine},
+                                           {"in exponential", in_exponential, in_exponential},
+                                           {"out exponential", out_exponential, in_exponential},
+                                           {"in-out exponential", in_out_exponential, in_exponential},
+                                           {"in circular", in_circular, in_circular},
+                                           {"out circular", out_circular, in_circular},
+                                           {"in-out circular", in_out_circular, in_circular},
+                                           {"in back", in_back, in_back},
+                                           {"out back", out_back, in_back},
+                                           {"in-out back", in_out_back, in_back},
+                                           {"in elastic", in_elastic, in_elastic},
+                                           {"out elastic", out_elastic, in_elastic},
+                                           {"in-out elastic", in_out_elastic, in_elastic},
+                                           {"in bounce", in_bounce, in_bounce},
+                                           {"out bounce", out_bounce, in_bounce},
+                                           {"in-out bounce", in_out_bounce, in_bounce}}};
   return list;
 }
 

@@ -1,6 +1,12 @@
 #pragma once
+#include <concepts>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "first_contact/geometry/space.hpp"
 
@@ -12,8 +18,33 @@
 
 namespace first_contact {
 
-/// From the part of the time, in [0, 1], to the part of the way.
-using Easing = double (*)(double);
+/// From the part of the time, in [0, 1], to the part of the way: one of those below, or a function of one's own.
+class Easing {
+ public:
+  /// Any function of a double. It is asked at 0, 1/512, 2/512, ... where it turns back: what it does to and fro
+  /// between two of these is not known to a sweep.
+  /// \throws std::invalid_argument if there is no function, or it gives a value that is not finite.
+  template <class Function>
+  requires(std::is_invocable_r_v<double, const Function&, double> && !std::same_as<Function, Easing>)
+      Easing(Function function)
+      : Easing(std::function<double(double)>(std::move(function))) {}
+  /// The same.
+  Easing(std::function<double(double)> function);
+  /// A function of which it is known where it turns back: ascending, inside of (0, 1).
+  Easing(std::function<double(double)> function, std::vector<double> turns);
+
+  /// The part of the way at the part t of the time: 0 up to t = 0, 1 from t = 1 on.
+  double operator()(double t) const { return !(t > 0) ? 0 : t >= 1 ? 1 : known_->function(t); }
+  /// Where it turns back, ascending: between two of them, and the ends, it only rises, or only falls.
+  const std::vector<double>& turns() const { return known_->turns; }
+
+ private:
+  struct Known {
+    std::function<double(double)> function;
+    std::vector<double> turns;
+  };
+  std::shared_ptr<const Known> known_;
+};
 
 namespace ease {
 
