@@ -87,7 +87,9 @@
 
 #include "first_contact/motion/easing.hpp"
 #include "first_contact/motion/curve.hpp"
+#include "first_contact/motion/through_points.hpp"
 #include "first_contact/motion/arc_length.hpp"
+#include "first_contact/motion/path.hpp"
 #include "first_contact/motion/tween.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/motion/bounce.hpp"

@@ -39,6 +39,28 @@ void curves(Record& record) {
   }
 }
 
+void through_points(Record& record) {
+  Dice dice(27);
+  for (int i = 0; i < cases / 10; ++i, record.next()) {
+    std::vector<Point> points = control_points(dice, dice.whole(2, 6), dice.scale());
+    if (dice.one_in(4)) points.push_back(points.back());
+    const auto knots = static_cast<Knots>(dice.pick(3));
+    record.add(at(catmull_rom(points, knots), dice.part()));
+  }
+}
+
+void legs(Record& record) {
+  Dice dice(28);
+  for (int i = 0; i < cases / 100; ++i, record.next()) {
+    const std::vector<Point> p = control_points(dice, 7, 1);
+    const Path path =
+        Path::of_legs({Path(), Path::bezier({p[0]}), Path::through({p[1], p[2]})}, {p[3], p[4]});
+    const Leg leg(path, p[5], p[6]);
+    record.add(leg.by_length()->total());
+    record.add(leg.at(1.5 * dice.part() - 0.25));
+  }
+}
+
 void lengths(Record& record) {
   Dice dice(21);
   for (int i = 0; i < cases / 100; ++i, record.next()) {
@@ -62,7 +84,7 @@ void easings(Record& record) {
   Dice dice(22);
   for (int i = 0; i < cases / 10; ++i, record.next()) {
     const double t = dice.one_in(4) ? dice.coordinate() : dice.part();
-    for (const Easing easing : exact_easings()) record.add(easing(t));
+    for (const Easing& easing : exact_easings()) record.add(easing(t));
   }
 }
 
@@ -145,8 +167,14 @@ void hit_tests(Record& record) {
 }  // namespace
 
 std::vector<Verb> motion_verbs() {
-  return {{"curves", curves},      {"arc length", lengths},       {"easings", easings},
-          {"tweens", tweens},      {"sweep along", along_curves}, {"bounce", bounces},
+  return {{"curves", curves},
+          {"curves through points", through_points},
+          {"paths of legs", legs},
+          {"arc length", lengths},
+          {"easings", easings},
+          {"tweens", tweens},
+          {"sweep along", along_curves},
+          {"bounce", bounces},
           {"hit tests", hit_tests}};
 }
 

@@ -1,11 +1,13 @@
 #include "first_contact/motion/arc_length.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "catch.hpp"
 #include "chance.hpp"
+#include "first_contact/motion/path.hpp"
 
 using namespace first_contact;
 
@@ -173,6 +175,40 @@ TEST_CASE("A B-spline is as long as its pieces, a straight one as far as it goes
     Wide truth = 0;
     for (const Bezier& piece : straight.pieces()) truth += to_and_fro(piece.control_points());
     CHECK(std::abs(ArcLength(straight).total() - truth) <= ArcLength::relative_error * truth);
+  }
+}
+
+TEST_CASE(
+    "A curve through points is as long as its legs, through points of a line as far as it goes to and fro") {
+  const std::uint64_t seed = 1108;
+  Chance chance(seed);
+  for (int i = 0; i < 300; ++i) {
+    const auto knots = std::array{Knots::uniform, Knots::centripetal, Knots::chordal}[chance.pick(3)];
+    auto points = random_points(chance, 2 + chance.pick(6));
+    if (i % 4 == 0) points.insert(points.begin() + 1, points.front());
+    const BSpline curve = catmull_rom(points, knots), straight = catmull_rom(on_the_x_axis(points), knots);
+    Wide legs = 0, truth = 0;
+    for (const Bezier& leg : catmull_rom_legs(points, knots)) legs += ArcLength(leg).total();
+    for (const Bezier& piece : straight.pieces()) truth += to_and_fro(piece.control_points());
+    CAPTURE(seed, i);
+    CHECK(std::abs(ArcLength(curve).total() - legs) <= 2 * ArcLength::relative_error * legs);
+    CHECK(std::abs(ArcLength(straight).total() - truth) <= ArcLength::relative_error * truth);
+  }
+}
+
+TEST_CASE("A path of several straight legs is as long as they are together, there and back") {
+  const std::uint64_t seed = 1109;
+  Chance chance(seed);
+  for (int i = 0; i < 200; ++i) {
+    const auto corners = on_the_x_axis(random_points(chance, 3 + chance.pick(4)));
+    const std::vector<Point> joints(corners.begin() + 1, corners.end() - 1);
+    const Leg leg(Path::of_legs(std::vector<Path>(corners.size() - 1), joints), corners.front(),
+                  corners.back());
+    Wide truth = 0;
+    for (std::size_t k = 1; k < corners.size(); ++k)
+      truth += std::abs(Wide(corners[k].x()) - corners[k - 1].x());
+    CAPTURE(seed, i);
+    CHECK(std::abs(leg.by_length()->total() - truth) <= ArcLength::relative_error * truth);
   }
 }
 

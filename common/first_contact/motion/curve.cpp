@@ -52,6 +52,29 @@ Bezier Bezier::derivative() const {
   return Bezier(std::move(differences));
 }
 
+// Corner cutting with a value of its own at each level (Ramshaw, Blossoming, 1987): n - k times at `from` and k
+// times at `to` it gives control point k of the part between the two.
+Bezier Bezier::part(double from, double to) const {
+  std::vector<Point> part;
+  for (std::size_t k = 0; k <= degree(); ++k) {
+    std::vector<Point> points = control_;
+    for (std::size_t left = degree(); left > 0; --left)
+      for (std::size_t i = 0; i < left; ++i)
+        points[i] = between(points[i], points[i + 1], left > k ? from : to);
+    part.push_back(points.front());
+  }
+  return Bezier(std::move(part));
+}
+
+Bezier Bezier::elevated() const {
+  const auto n = static_cast<double>(control_.size());
+  std::vector<Point> points{control_.front()};
+  for (std::size_t i = 1; i < control_.size(); ++i)
+    points.push_back(between(control_[i], control_[i - 1], static_cast<double>(i) / n));
+  points.push_back(control_.back());
+  return Bezier(std::move(points));
+}
+
 BSpline::BSpline(std::vector<Point> control_points, std::size_t degree)
     : control_(std::move(control_points)), degree_(degree), knots_(clamped_knots(control_.size(), degree)) {
   require_sound();

@@ -23,6 +23,11 @@ class Bezier {
   Point at(double u) const;
   /// dC/du: the curve of degree one less whose control points are the differences n (P[i+1] - P[i]).
   Bezier derivative() const;
+  /// The part of it from u = `from` to u = `to`, as a curve over [0, 1]: backwards if `to` is less, and beyond its
+  /// ends as the polynomial goes on.
+  Bezier part(double from, double to) const;
+  /// The same curve with one control point more.
+  Bezier elevated() const;
   /// What leads it.
   const std::vector<Point>& control_points() const { return control_; }
   /// Of its polynomials.

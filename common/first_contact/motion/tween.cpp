@@ -22,7 +22,6 @@ void require_keys(const std::vector<Key>& keys) {
     what << "tween's key frame " << i << ", time " << keys[i].time;
     if (!std::isfinite(keys[i].time)) refuse(what.str(), "must be finite");
     if (i > 0 && !(keys[i].time > keys[i - 1].time)) refuse(what.str(), "must be later than the one before");
-    if (!keys[i].easing) refuse(what.str(), "must have an easing");
     require_finite(keys[i].position, what.str() + ", position");
   }
 }
@@ -47,29 +46,10 @@ double part_of_way(const std::vector<Key>& keys, std::size_t i, double time) {
 
 }  // namespace
 
-Path Path::bezier(std::vector<Point> points, bool by_length) {
-  return {Kind::bezier, std::move(points), by_length};
-}
-Path Path::b_spline(std::vector<Point> points, bool by_length) {
-  return {Kind::b_spline, std::move(points), by_length};
-}
-
-Curve Path::from_to(const Point& a, const Point& b) const {
-  if (kind == Kind::straight) return line(a, b);
-  std::vector<Point> points{a};
-  points.insert(points.end(), between.begin(), between.end());
-  points.push_back(b);
-  if (kind == Kind::bezier) return Bezier(std::move(points));
-  const std::size_t degree = std::min<std::size_t>(3, points.size() - 1);
-  return BSpline(std::move(points), degree);
-}
-
 Tween::Tween(std::vector<KeyFrame> keys) : keys_(std::move(keys)) {
   require_keys(keys_);
-  for (std::size_t i = 0; i + 1 < keys_.size(); ++i) {
-    const Curve curve = keys_[i].path.from_to(keys_[i].position, keys_[i + 1].position);
-    legs_.push_back({curve, keys_[i].path.constant_speed ? std::optional(ArcLength(curve)) : std::nullopt});
-  }
+  for (std::size_t i = 0; i + 1 < keys_.size(); ++i)
+    legs_.emplace_back(keys_[i].path, keys_[i].position, keys_[i + 1].position);
 }
 
 //! [tween]
@@ -78,11 +58,20 @@ Point Tween::at(double time) const {
   if (time >= end()) return keys_.back().position;
   const std::size_t i = current(keys_, time);
   if (time == keys_[i].time) return keys_[i].position;
-  const double part = part_of_way(keys_, i, time);
-  const Leg& leg = legs_[i];
-  return leg.by_length ? leg.by_length->at(part) : first_contact::at(leg.curve, part);
+  return legs_[i].at(part_of_way(keys_, i, time));
 }
 //! [tween]
+
+std::vector<KeyFrame> smooth(std::vector<KeyFrame> keys, Knots knots) {
+  std::vector<Point> points;
+  for (const KeyFrame& key : keys) points.push_back(key.position);
+  const std::vector<Bezier> legs = catmull_rom_legs(points, knots);
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const std::vector<Point>& control = legs[i].control_points();
+    keys[i].path = Path::bezier({control[1], control[2]}, keys[i].path.constant_speed);
+  }
+  return keys;
+}
 
 RigidTween::RigidTween(std::vector<Pose> poses) : poses_(std::move(poses)) {
   require_keys(poses_);

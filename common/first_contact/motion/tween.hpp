@@ -1,34 +1,15 @@
 #pragma once
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 #include "first_contact/geometry/transform.hpp"
-#include "first_contact/motion/arc_length.hpp"
-#include "first_contact/motion/curve.hpp"
 #include "first_contact/motion/easing.hpp"
+#include "first_contact/motion/path.hpp"
 
 /// \file
 /// Tweening (paper, 1.1): the animator gives the key frames, the program what is in between.
 
 namespace first_contact {
-
-/// The way from one key frame to the next. Its ends are the two key positions, so that no path can miss them.
-struct Path {
-  /// What leads from one to the next.
-  enum class Kind { straight, bezier, b_spline };
-
-  /// Which of them.
-  Kind kind = Kind::straight;
-  std::vector<Point> between;   ///< control points between the two key positions
-  bool constant_speed = false;  ///< by arc length instead of the curve's own parameter
-
-  /// A Bezier curve; its degree follows from the number of points.
-  static Path bezier(std::vector<Point> points, bool by_length = false);
-  /// Clamped, cubic (of a lower degree if there are fewer than two points between).
-  static Path b_spline(std::vector<Point> points, bool by_length = false);
-  /// The curve from a to b.
-  Curve from_to(const Point& a, const Point& b) const;
-};
 
 /// A place at a time, and how to go on from there to the next key frame. Those of the last key frame are not
 /// used.
@@ -44,7 +25,7 @@ struct KeyFrame {
 class Tween {
  public:
   /// \throws std::invalid_argument if there is no key frame, a time is not finite or not later than the one
-  ///     before, a position or control point is not finite, or an easing is missing.
+  ///     before, or a position or control point is not finite.
   explicit Tween(std::vector<KeyFrame> keys);
 
   /// Where it is at that time.
@@ -55,18 +36,20 @@ class Tween {
   double end() const { return keys_.back().time; }
   /// As they were given.
   const std::vector<KeyFrame>& keys() const { return keys_; }
+  /// The way from each key to the next.
+  const std::vector<Leg>& legs() const { return legs_; }
   /// The curve from key i to key i + 1.
-  const Curve& curve(std::size_t i) const { return legs_[i].curve; }
+  const Curve& curve(std::size_t i) const { return legs_[i].curve(); }
 
  private:
-  struct Leg {
-    Curve curve;
-    std::optional<ArcLength> by_length;
-  };
-
   std::vector<KeyFrame> keys_;
   std::vector<Leg> legs_;
 };
+
+/// The same key frames with one smooth way through all of them (catmull_rom): their paths are replaced. How fast
+/// it goes on that way still follows from the times and the easings.
+/// \throws std::invalid_argument as catmull_rom does.
+std::vector<KeyFrame> smooth(std::vector<KeyFrame> keys, Knots knots = Knots::centripetal);
 
 /// A pose of a rigid body at a time.
 struct Pose {
