@@ -136,13 +136,16 @@ Sphere bounding_sphere(std::span<const Point> points) {
   require_points(points);
   const Nearby nearby(points);
   const Sphere local = smallest(shuffled(nearby.local), {});
-  Sphere sphere{nearby.back(local.center), 0};
-  for (const Point& p : points) sphere.radius = std::max(sphere.radius, nearby.distance(p, sphere.center));
-  return sphere;
+  const Point center = nearby.back(local.center);
+  double radius = 0;
+  for (const Point& p : points) radius = std::max(radius, nearby.distance(p, center));
+  return {center, radius};
 }
 
 double volume(const Box& box) { return norm(box.r) * norm(box.s) * norm(box.t); }
 
-double volume(const Sphere& sphere) { return 4 * std::numbers::pi / 3 * std::pow(sphere.radius, 3); }
+double volume(const Sphere& sphere) {
+  return 4 * std::numbers::pi / 3 * (sphere.radius * sphere.radius * sphere.radius);
+}
 
 }  // namespace first_contact

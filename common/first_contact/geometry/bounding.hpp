@@ -7,7 +7,8 @@
 namespace first_contact {
 
 /// The smallest box with its sides along x, y and z that holds all points, to within rounding (paper, 1.1).
-/// \throws std::invalid_argument if there is no point, or one is not finite.
+/// \throws std::invalid_argument if there is no point, or one is out of range, or what bounds them is (\see Box,
+/// Sphere).
 Box bounding_box(std::span<const Point> points);
 
 /// A box around all points that is turned the way they spread: along the principal axes of their scatter.
@@ -23,9 +24,9 @@ Box principal_box(std::span<const Point> points);
 /// \throws std::invalid_argument as bounding_box.
 Sphere bounding_sphere(std::span<const Point> points);
 
-/// The volume of a box, in the cube of the caller's unit.
+/// The volume of a box, in the cube of the caller's unit; infinite or 0 if no double is so large or so small.
 double volume(const Box& box);
-/// The volume of a sphere.
+/// The volume of a sphere, likewise.
 double volume(const Sphere& sphere);
 
 }  // namespace first_contact

@@ -27,14 +27,16 @@ double sum_of_minors(const Matrix& m, double sign) {
          sign * (minor(0, 0, 2) * minor(2, 1, 3) + minor(0, 1, 3) * minor(2, 0, 2));
 }
 
-// Each row multiplied by the power of two that brings its largest entry to [1/2, 1): exact, and no overflow
-// after it.
+// Each row multiplied by the power of two that brings its largest entry to [1/2, 1), and then each column: exact,
+// and the terms of the determinant stay within the range of double.
 Matrix balanced(Matrix m) {
-  for (int row = 0; row < 4; ++row) {
+  const auto to_one = [](auto&& line) {
     int exponent = 0;
-    std::frexp(m.row(row).cwiseAbs().maxCoeff(), &exponent);
-    for (int column = 0; column < 4; ++column) m(row, column) = std::ldexp(m(row, column), -exponent);
-  }
+    std::frexp(line.cwiseAbs().maxCoeff(), &exponent);
+    for (double& entry : line.reshaped()) entry = std::ldexp(entry, -exponent);
+  };
+  for (int row = 0; row < 4; ++row) to_one(m.row(row));
+  for (int column = 0; column < 4; ++column) to_one(m.col(column));
   return m;
 }
 

@@ -29,10 +29,10 @@ double gauss_sum(const Function& speed, double from, double to) {
   return half * sum;
 }
 
-// In a unit in which no square leaves the range of double. Where coordinates are next to the largest double,
-// they are made smaller first: dC/du is longer than they are, by the degree.
+// In a unit in which no square leaves the range of double. The coordinates are brought to about 1 first: dC/du is
+// longer than they are, by the degree, and where knots are close together by much more.
 std::pair<Curve, double> hodograph_in_unit(const Curve& curve) {
-  const double before = largest_coordinate(curve) > 0x1p900 ? 0x1p-100 : 1;
+  const double before = unit_scale(largest_coordinate(curve));
   const Curve slope = derivative(scaled(curve, before));
   const double after = unit_scale(largest_coordinate(slope));
   return {scaled(slope, after), 1 / after / before};
@@ -161,7 +161,7 @@ Vector ArcLength::direction_beyond(double end) const {
   std::vector<Vector> speeds = control_points(hodograph_);
   if (end == 1) std::reverse(speeds.begin(), speeds.end());
   const auto first = std::find_if(speeds.begin(), speeds.end(), [](const Vector& v) { return !v.isZero(0); });
-  return first != speeds.end() ? Vector(first->normalized()) : tangent;
+  return first != speeds.end() ? normalized(*first) : tangent;
 }
 
 Point ArcLength::at(double part) const {

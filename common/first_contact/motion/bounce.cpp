@@ -12,8 +12,8 @@ namespace first_contact {
 
 namespace {
 
-void require(bool fine, const std::string& what, double value, const std::string& rule) {
-  if (!fine || !std::isfinite(value)) refuse("bounce's " + what, value, "must be " + rule);
+void require_time(double time, const std::string& of) {
+  if (!std::isfinite(time)) refuse("bounce's time of " + of, time, "must be finite");
 }
 
 //! [geometric_sum]
@@ -41,12 +41,18 @@ std::optional<Landing> first_landing(double h, double v, double g) {
 
 Bounce::Bounce(double height, double speed_down, double gravity, double restitution)
     : height_(height), speed_down_(speed_down), gravity_(gravity), restitution_(restitution) {
-  require(height >= 0, "height", height, "finite and not negative");
-  require(true, "speed", speed_down, "finite");
-  require(gravity >= 0, "gravity", gravity, "finite and not negative");
-  require(restitution >= 0 && restitution <= 1, "restitution", restitution, "from 0 to 1");
+  require_length(height, "bounce's height");
+  if (!(std::abs(speed_down) <= largest_length))
+    refuse("bounce's speed", speed_down, "must be finite, and at most 1.07e301 (2^1000)");
+  require_length(gravity, "bounce's gravity");
+  if (!(restitution >= 0 && restitution <= 1))
+    refuse("bounce's restitution", restitution, "must be from 0 to 1");
   first_ = first_landing(height, speed_down, gravity);
-  if (first_) require(true, "speed at impact", first_->speed, "finite");
+  for (const std::size_t n : {0U, 1U})
+    if (const auto top = apex(n); top && !(top->height <= 2 * largest_length))
+      refuse("height that the bounce reaches", top->height, "must be at most 2.1e301 (2^1001)");
+  if (first_) require_time(first_->time, "first impact");
+  if (const auto rest = rest_time()) require_time(*rest, "rest");
 }
 
 //! [zeno]
@@ -73,7 +79,8 @@ std::optional<double> Bounce::rest_time() const {
 std::optional<Landing> Bounce::impact(std::size_t n) const {
   if (!first_ || n == 0) return std::nullopt;
   if (n > 1 && (restitution_ == 0 || gravity_ == 0)) return std::nullopt;
-  return Landing{impact_time(n), impact_speed(n)};
+  const double time = impact_time(n);
+  return std::isfinite(time) ? std::optional(Landing{time, impact_speed(n)}) : std::nullopt;
 }
 
 std::optional<Apex> Bounce::apex(std::size_t n) const {
@@ -124,11 +131,13 @@ std::size_t Bounce::impacts_until(double time) const {
 
 //! [bounce_height]
 Bounce::Arc Bounce::arc(double time) const {
+  if (!std::isfinite(time)) refuse("time", time, "must be finite");
   const double now = std::max(0.0, time);
   if (const auto rest = rest_time(); rest && now >= *rest) return {0, 0, 0};
   const std::size_t n = impacts_until(now);
   if (n == 0) return {height_, -speed_down_, now};
-  return {0, restitution_ * impact_speed(n), now - impact_time(n)};
+  const double up = restitution_ * impact_speed(n), since = now - impact_time(n);
+  return {0, up, gravity_ > 0 ? std::min(since, 2 * up / gravity_) : since};
 }
 
 double Bounce::height(double time) const {

@@ -30,6 +30,9 @@ struct Apex {
 /// leaves for ever.
 ///
 /// Error of times and speeds: at most 8 eps, relative.
+///
+/// Range: height, speed and gravity are at most 2^1000 = 1.07e301 in size, the height that it reaches 2^1001, and the
+/// first impact and the rest come at a time that is a double.
 class Bounce {
  public:
   /// \param height       at time 0, not negative
@@ -39,8 +42,8 @@ class Bounce {
   /// \throws std::invalid_argument that names the value and the rule.
   Bounce(double height, double speed_down, double gravity, double restitution);
 
-  /// Impact number n = 1, 2, ... in closed form; nothing if there is none. With 0 < e < 1 there are
-  /// infinitely many, each e times as fast as the one before, and all before rest_time().
+  /// Impact number n = 1, 2, ... in closed form; nothing if there is none, or at no time that is a double. With 0
+  /// < e < 1 there are infinitely many, each e times as fast as the one before, and all before rest_time().
   std::optional<Landing> impact(std::size_t n) const;
   /// The top of the arc that follows impact n; with n = 0, of the first flight if it is thrown upwards.
   std::optional<Apex> apex(std::size_t n) const;
@@ -55,9 +58,12 @@ class Bounce {
   /// - e). Nothing if it never comes to rest there: e = 1, or no gravity to bring it back.
   std::optional<double> rest_time() const;
 
-  /// Height at a time; a negative time counts as 0.
+  /// Height at a time; a negative time counts as 0. So late that times no longer tell the flights apart, it is on
+  /// the floor; without gravity, so high that no double tells, it is infinitely high.
+  /// \throws std::invalid_argument if the time is not finite.
   double height(double time) const;
   /// Speed downwards at a time; at an impact, that after it.
+  /// \throws std::invalid_argument if the time is not finite.
   double speed_down(double time) const;
 
  private:

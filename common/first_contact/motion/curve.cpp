@@ -49,6 +49,7 @@ Bezier Bezier::derivative() const {
   std::vector<Vector> differences;
   for (std::size_t i = 0; i < degree(); ++i)
     differences.emplace_back(static_cast<double>(degree()) * (control_[i + 1] - control_[i]));
+  require_control_points(differences, "Bezier curve's derivative");
   return Bezier(std::move(differences));
 }
 
@@ -101,7 +102,7 @@ void BSpline::require_sound() const {
     if (degree_ > 0 && !(knots_[i] < knots_[i + degree_]))
       refuse("B-spline's knots from number " + std::to_string(i),
              "must not coincide more often than the degree, " + degree);
-  if (!(first() < last()) || !std::isfinite(last() - first()))
+  if (!(first() < last()) || !std::isfinite(knots_.back() - knots_.front()))
     refuse("B-spline's knots", "must span a finite interval");
 }
 
@@ -130,7 +131,7 @@ Point BSpline::at(double u) const {
 
 //! [b_spline_derivative]
 BSpline BSpline::derivative() const {
-  BSpline hodograph;  // not checked again: where this curve has a corner, its derivative may jump
+  BSpline hodograph;  // its knots are not checked: where this curve has a corner, its derivative may jump
   hodograph.knots_ = knots_;
   hodograph.control_.assign(control_.size(), Vector::Zero());
   if (degree_ == 0) return hodograph;
@@ -142,6 +143,7 @@ BSpline BSpline::derivative() const {
     const double support = knots_[i + degree_ + 1] - knots_[i + 1];
     if (support > 0) hodograph.control_[i] = scale / support * (control_[i + 1] - control_[i]);
   }
+  require_control_points(hodograph.control_, "B-spline's derivative");
   return hodograph;
 }
 //! [b_spline_derivative]

@@ -22,6 +22,7 @@ class Bezier {
   /// The point at u, by de Casteljau's corner cutting. Outside [0, 1] the polynomial goes on.
   Point at(double u) const;
   /// dC/du: the curve of degree one less whose control points are the differences n (P[i+1] - P[i]).
+  /// \throws std::invalid_argument if one of them is larger than `largest_length`.
   Bezier derivative() const;
   /// The part of it from u = `from` to u = `to`, as a curve over [0, 1]: backwards if `to` is less, and beyond its
   /// ends as the polynomial goes on.
@@ -56,6 +57,7 @@ class BSpline {
   /// The point at u, by de Boor's corner cutting. Outside [0, 1] the polynomial of the nearer piece goes on.
   Point at(double u) const;
   /// dC/du. At a knot where the direction jumps, it is that of the piece which begins there.
+  /// \throws std::invalid_argument if a control vector of it is larger than `largest_length`.
   BSpline derivative() const;
   /// What leads it.
   const std::vector<Point>& control_points() const { return control_; }

@@ -183,6 +183,8 @@ std::span<const Named> all() {
 double damp(double from, double goal, double rate, double dt) {
   require_length(rate, "damping rate");
   require_length(dt, "time step");
+  for (const double value : {from, goal})
+    if (!std::isfinite(value)) refuse("damped value", value, "must be finite");
   return lerp(from, goal, -std::expm1(-rate * dt));  // the part done: 1 - e^(-rate dt)
 }
 //! [damp]

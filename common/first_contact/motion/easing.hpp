@@ -110,7 +110,7 @@ std::span<const Named> all();
 /// does not: after a second 4.2 % of the way is left at 30 frames per second, but 0.18 % at 60.
 ///
 /// \param rate per unit of time; ln 2 / rate is the time in which the way left is halved
-/// \throws std::invalid_argument if rate or dt is negative or not finite.
+/// \throws std::invalid_argument if rate or dt is negative, or a number is not finite.
 double damp(double from, double goal, double rate, double dt);
 /// The same for a point.
 Point damp(const Point& from, const Point& goal, double rate, double dt);

@@ -1,6 +1,7 @@
 #include "first_contact/motion/sweep_along.hpp"
 
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 
 namespace first_contact {
 
@@ -14,7 +15,7 @@ constexpr double most_chords = 1e7;
 std::vector<double> chords(const Curve& curve, double deviation) {
   if (!(deviation > 0) || !std::isfinite(deviation))
     refuse("sweep's deviation", deviation, "must be finite and greater than zero");
-  const double unit = largest_coordinate(curve) > 0x1p900 ? 0x1p-100 : 1;  // C'' is longer, by the degree
+  const double unit = unit_scale(largest_coordinate(curve));  // C'' is longer than that, by the degree
   const double bend = longest_control_vector(derivative(derivative(scaled(curve, unit))));
   const std::vector<double> joints = breaks(curve);
   std::vector<double> u{0};

@@ -1,4 +1,5 @@
 #pragma once
+#include "first_contact/geometry/unit_scale.hpp"
 #include "first_contact/sweep/contact.hpp"
 #include "first_contact/trees/search.hpp"
 
@@ -22,7 +23,7 @@ class BallSearch : public Search {
   /// The paper's same-side rejection (1.4): with E.Q > r_eff at both ends of this part of the motion it is
   /// in front of the plane, with E.Q < -r_eff at both ends behind it; or else it is split where it crosses.
   Sides sides(const Plane& plane, const Passage& part) const override;
-  Vector heading() const override { return ball_.displacement; }
+  Vector heading() const override { return unit_scale(largest(ball_.displacement)) * ball_.displacement; }
 
  protected:
   /// What moves.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "first_contact/geometry/products.hpp"
+#include "first_contact/geometry/unit_scale.hpp"
 #include "first_contact/trees/bin_cut.hpp"
 
 namespace first_contact {
@@ -17,18 +18,21 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // deeper.
 constexpr std::size_t deepest_by_surface = 64;
 
-// What a part is expected to cost: half its surface times its number of objects.
+// What a part is expected to cost: half its surface times its number of objects. The unit of length is that of
+// the node, in which no surface leaves the range of double.
 struct Part {
   Bounds bounds;
   std::size_t count = 0;
+  double unit = 1;
 
   void add(const Part& other) {
     bounds.extend(other.bounds);
     count += other.count;
+    unit = other.unit;
   }
   double work() const {
     if (count == 0) return 0;
-    const Vector d = bounds.sizes();
+    const Vector d = unit * bounds.sizes();
     return (d.x() * d.y() + d.y() * d.z() + d.z() * d.x()) * static_cast<double>(count);
   }
 };
@@ -75,13 +79,15 @@ std::uint32_t BoxTree::cut(const Node& parent, std::span<const Bounds> objects) 
   const auto begin = order_.begin() + parent.begin, end = order_.begin() + parent.end;
   Bounds centers;
   std::for_each(begin, end, [&](std::uint32_t i) { centers.extend(middle_of(objects[i])); });
+  const double unit = unit_scale(largest(parent.bounds.sizes()));
   BinCut<double> best;
   for (int axis = 0; axis < 3; ++axis) {
     const double extent = centers.sizes()[axis];
     if (!(extent > 0 && extent < infinite)) continue;
     std::array<Part, bin_count> bins;
+    bins.fill({{}, 0, unit});
     std::for_each(begin, end, [&](std::uint32_t i) {
-      bins[bin_of(objects[i], centers, axis)].add({objects[i], 1});
+      bins[bin_of(objects[i], centers, axis)].add({objects[i], 1, unit});
     });
     improve<bin_count>(best, std::span<const Part>(bins), axis);
     work_ += parent.end - parent.begin;

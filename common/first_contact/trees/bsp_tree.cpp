@@ -54,7 +54,7 @@ std::pair<Piece, Piece> cut(const Piece& piece, const Plane& plane) {
     const double at_p = plane.signed_distance(p), at_q = plane.signed_distance(q);
     if (at_p >= 0) front.outline.push_back(p);
     if (at_p <= 0) back.outline.push_back(p);
-    if (at_p * at_q >= 0) continue;  // this side of the piece does not cross the plane
+    if (!(at_p < 0 && at_q > 0) && !(at_p > 0 && at_q < 0)) continue;  // this side does not cross the plane
     const Point crossing = p + at_p / (at_p - at_q) * (q - p);
     front.outline.push_back(crossing);
     back.outline.push_back(crossing);

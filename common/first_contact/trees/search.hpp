@@ -50,7 +50,8 @@ class Search {
   virtual bool reaches(const Bounds& box) const = 0;
   /// On which sides of the plane could an object be hit in this part of the motion? (paper, 1.4)
   virtual Sides sides(const Plane& plane, const Passage& part) const = 0;
-  /// Where the motion goes, so that a tree may show what is nearer first; zero if that does not matter.
+  /// Where the motion goes, so that a tree may show what is nearer first: about 1 long, or zero if that does not
+  /// matter.
   virtual Vector heading() const { return Vector::Zero(); }
 
   /// Counts a node that is looked at.
