@@ -4,7 +4,7 @@ import {join} from 'node:path';
 import {binaries, build, chapters, data, html, otherPages, stopIfWrong} from './tools/book.mjs';
 import {runDoxygen} from './tools/doxygen.mjs';
 import {finish} from './tools/finish.mjs';
-import {chapterFoot, chapterHead, chapterList, chapterMap} from './tools/generated.mjs';
+import {chapterFoot, chapterHead, chapterList, chapterMap, exerciseList} from './tools/generated.mjs';
 import {libraryTable} from './tools/library.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
 import {runNamed, runPrograms} from './tools/values.mjs';
@@ -27,7 +27,7 @@ for (const chapter of chapters) {
                                          : weave({...rest, source: chapter.source});
   writeFileSync(join(pages, chapter.id + '.md'), text);
 }
-const generated = {map: chapterMap(), chapters: chapterList(), bibliography: bibliography(), 'paper-map': paperTable(), errata: errataTable(),
+const generated = {map: chapterMap(), chapters: chapterList(), exercises: exerciseList(), bibliography: bibliography(), 'paper-map': paperTable(), errata: errataTable(),
                    library: libraryTable((words) => prose(words, 'library.md'))};
 for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated}));
 stopIfWrong('weaving the pages');

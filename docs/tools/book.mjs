@@ -1,6 +1,6 @@
 // What all tools share: where things are, the chapters, and the list of complaints.
 import {existsSync, readFileSync, readdirSync, statSync} from 'node:fs';
-import {dirname, join, relative, resolve} from 'node:path';
+import {basename, dirname, join, relative, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -30,6 +30,12 @@ export const chapters = data('chapters.json').map((chapter) => ({
   page: chapter.program.replaceAll('_', '-') + '.html',
 }));
 
+/// What a student writes: a page each, which stands beside the stub.
+export const exercises = filesBelow(join(root, 'chapters'), (file) => file.endsWith('/task.md')).map((source) => {
+  const name = basename(dirname(source)), title = read(source).split('\n')[0].replace(/^# /, '');
+  return {id: `exercise-${name}`, name, title, source, short: title.replace(/^Exercise /, ''), isWorkbook: true, isExercise: true};
+});
+
 /// The library; of the pages below, each with folders shows all files of those folders.
 export const libraryRoot = join(root, 'common/first_contact');
 
@@ -48,12 +54,14 @@ export const otherPages = [
   {id: 'library-response', title: 'Response, file by file', short: 'response', isLibrary: true, folders: ['response']},
   {id: 'library-motion', title: 'Motion, file by file', short: 'motion', isLibrary: true, folders: ['motion']},
   {id: 'library-stage', title: 'The stage, file by file', short: 'stage', isLibrary: true, folders: ['stage']},
+  {id: 'workbook', title: 'The workbook', isWorkbook: true},
+  ...exercises,
   {id: 'papermap', title: 'Paper map'},
   {id: 'errata', title: 'Errata of the paper'},
   {id: 'glossary', title: 'Glossary 詞彙'},
   {id: 'symbols', title: 'Symbols'},
   {id: 'bibliography', title: 'Bibliography'},
-].map((page) => ({...page, source: join(docs, 'pages', page.id + '.md'), page: page.id + '.html'}));
+].map((page) => ({source: join(docs, 'pages', page.id + '.md'), page: page.id + '.html', ...page}));
 
 export const escape = (text) =>
   text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

@@ -34,16 +34,20 @@ export function contents(current, sections) {
     if (page.id === 'library' && (open || inPart))
       return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>` +
              list(otherPages.filter((part) => part.folders), (part) => escape(part.short)) + '</li>';
+    if (page.id === 'workbook' && otherPages.some((other) => other.isWorkbook && other.page === current))
+      return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>` +
+             list(otherPages.filter((other) => other.isExercise), (other) => escape(other.short)) + '</li>';
     return `<li><a href="${page.page}"${open ? ' aria-current="page"' : ''}>${label}</a>${inner}</li>`;
   };
   const list = (pages, label) => `<ul>${pages.map((page) => entry(page, label(page))).join('')}</ul>`;
   const title = (page) => escape(page.title);
   return list(otherPages.filter((page) => page.front), title) +
          '<h2>Chapters</h2>' + list(chapters, (chapter) => `<span class="number">${chapter.number}</span> ${title(chapter)}`) +
+         '<h2>Your turn</h2>' + list([otherPages.find(({id}) => id === 'workbook')], title) +
          '<h2>The library</h2>' + list([otherPages.find(({id}) => id === 'library'),
                                        {page: 'namespacefirst__contact.html', title: 'All names'}],
                                       (page) => page.id ? 'File by file' : title(page)) +
-         '<h2>Reference</h2>' + list(otherPages.filter((page) => !page.front && !page.isLibrary), title);
+         '<h2>Reference</h2>' + list(otherPages.filter((page) => !page.front && !page.isLibrary && !page.isWorkbook), title);
 }
 
 // --- the map of chapters ------------------------------------------------------------------------------------------
@@ -116,3 +120,9 @@ export const chapterList = () => '<ol class="chapters">' + chapters.map((chapter
   `<li><a href="${chapter.page}"><span class="number">${chapter.number}</span><span class="title">${escape(chapter.title)}` +
   ` <span class="chinese" lang="zh-Hant">${chapter.chinese}</span></span></a>` +
   `<p>${escape(chapter.question)} <small>${minutesOf(chapter)} minutes · paper ${chapter.paper.map((s) => '§' + s).join(', ')}</small></p></li>`).join('') + '</ol>';
+
+/// The exercises, chapter by chapter.
+export const exerciseList = () => '<dl class="exercises">' + chapters.map((chapter) => {
+  const own = otherPages.filter(({isExercise, name}) => isExercise && parseInt(name) === chapter.number);
+  return `<dt>${linkTo(chapter)}</dt>` + own.map(({page, short}) => `<dd><a href="${page}">${escape(short)}</a></dd>`).join('');
+}).join('') + '</dl>';

@@ -1,0 +1,9 @@
+#include "task.hpp"
+
+std::optional<double> first_contact(Plane E, Point S0, Vector V, double r) {
+  const double side = dot(E, S0) < 0 ? -1 : 1, height = side * dot(E, S0), toward = side * dot(E.N, V);
+  if (toward >= 0) return {};
+  const double t = std::max(0.0, (r - height) / toward);
+  if (t > 1) return {};
+  return t;
+}
