@@ -50,8 +50,9 @@ build_judges_parts() {
 write_catalogue() {
   local n=0 file list=""
   for file in "$@"; do
-    printf 'namespace known_%d {\n#include "%s"\n}\n' "$n" "$root/$file"
-    list+="KNOWN(\"$root/$file\", known_$n) "
+    [[ "$file" == /* ]] || file=$root/$file
+    printf 'namespace known_%d {\n#include "%s"\n}\n' "$n" "$file"
+    list+="KNOWN(\"$file\", known_$n) "
     n=$((n + 1))
   done
   printf 'inline std::vector<Known> catalogue() { return {%s}; }\n' "$list"
