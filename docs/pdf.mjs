@@ -7,33 +7,51 @@ import {chromium} from 'playwright-core';
 import {executable} from './checks/browser.mjs';
 import {build, chapters, complain, escape, html, otherPages, read, stopIfWrong} from './tools/book.mjs';
 import {chapterMap} from './tools/generated.mjs';
-import {idsOf, unresolvedIn} from './tools/references.mjs';
+import {unresolvedIn} from './tools/references.mjs';
+import {treeOf} from './tools/tree.mjs';
 
 const goesOn = (part) => part.isLibrary && part.folder;
 const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...otherPages.filter(({front}) => !front)];
 
 // Files that are folded on their page would be half of the book: here their names lead to them.
-const withoutWholeFiles = (text) => text.replace(
-  /<details class="listing whole"([^>]*)><summary>([\s\S]*?)<\/summary>[\s\S]*?<\/details>/g, '<p class="elsewhere"$1>$2</p>');
+function nameWholeFiles(tree) {
+  tree('details.whole').each((_, element) => {
+    const file = tree(element), id = file.attr('id');
+    file.replaceWith(`<p class="elsewhere"${id ? ` id="${id}"` : ''}>${file.children('summary').html()}</p>`);
+  });
+}
 
-// The body of a finished page, its anchors made its own so that pages can stand in one file.
-function bodyOf({id, page, ...part}) {
-  const text = read(html, page);
-  const title = /<h1 class="title">[\s\S]*?<\/h1>/.exec(text)[0];
-  const inner = /<div class="textblock">([\s\S]*)<\/div>\s*<\/div><!-- contents -->/.exec(text)[1];
-  const columns = goesOn(part) ? `<div class="columns">${inner}</div>` : inner;
-  const body = withoutWholeFiles(title + columns.replace(/<nav class="turn"[\s\S]*?<\/nav>/, ''));
-  const glyphs = /<svg class="glyphs"[\s\S]*?<\/svg>/.exec(text)?.[0] ?? '';
+// Where a link leads in the book, as #PLACE; nowhere if that page is not in it.
+function placeInBook(target, own) {
+  if (target.startsWith('#')) return '#' + own(target.slice(1));
+  const [, page, name] = /^([\w-]+\.html)(?:#(.+))?$/.exec(target) ?? [];
+  const part = parts.find((each) => each.page === page);
+  if (!page) return target;
+  return part && `#${name ? `${part.id}--${name}` : part.id}`;
+}
+
+// The page's anchors made its own, so that pages can stand in one file.
+function renameAnchors(tree, id) {
   const own = (name) => `${id}--${name}`;
-  return (glyphs + body)
-      .replace(/\sid=(["'])([^"']+)\1/g, (_, quote, name) => ` id=${quote}${own(name)}${quote}`)
-      .replace(/\b((?:xlink:)?href)=(["'])#([^"']+)\2/g, (_, attribute, quote, name) => `${attribute}=${quote}#${own(name)}${quote}`)
-      .replace(/url\(#([^)]+)\)/g, (_, name) => `url(#${own(name)})`)
-      .replace(/\bhref="([\w-]+\.html)(?:#([^"]+))?"/g, (whole, target, name) => {
-        const other = parts.find((each) => each.page === target);
-        return other ? `href="#${name ? `${other.id}--${name}` : other.id}"` : '';
-      })
-      .replace(/<details /g, '<details open ');
+  tree('*').each((_, {attribs}) => {
+    for (const [name, value] of Object.entries(attribs)) {
+      const renamed = name === 'id' ? own(value) : /^(xlink:)?href$/.test(name) ? placeInBook(value, own)
+                    : value.replace(/url\(#([^)]+)\)/g, (_, target) => `url(#${own(target)})`);
+      if (renamed === undefined) delete attribs[name];
+      else attribs[name] = renamed;
+    }
+  });
+}
+
+// The body of a finished page.
+function bodyOf({id, page, ...part}) {
+  const tree = treeOf(read(html, page));
+  nameWholeFiles(tree);
+  renameAnchors(tree, id);
+  tree('nav.turn').remove();
+  tree('details').attr('open', '');
+  const text = tree('.textblock').html();
+  return tree.html('svg.glyphs') + tree.html('h1.title') + (goesOn(part) ? `<div class="columns">${text}</div>` : text);
 }
 
 const running = ({number, title}) => (number ? `${number} · ` : '') + title;
@@ -80,7 +98,7 @@ const browser = await chromium.launch({executablePath: executable(), args: ['--n
 
 // A drawing or a link that refers to what is not there is printed as nothing, and nobody is told.
 function checkReferences(text) {
-  for (const name of unresolvedIn(text, idsOf(text))) complain('the print edition', `refers to what is not in it: #${name}`);
+  for (const name of unresolvedIn(treeOf(text))) complain('the print edition', `refers to what is not in it: #${name}`);
   stopIfWrong('assembling the print edition');
 }
 

@@ -1,54 +1,43 @@
 // A committed figure becomes a part of its page: it then follows the page's theme and needs no file of its own.
 import {existsSync} from 'node:fs';
 import {join} from 'node:path';
-import {escape, read, root} from './book.mjs';
+import {optimize} from 'svgo';
+import {read, root} from './book.mjs';
 
 const darkRules = new Set();  // of all figures that were inlined
 
+const isDarkStyle = ({name, children}) => name === 'style' && children[0].value.includes('(prefers-color-scheme:dark)');
+
 // [fill="#0072b2"]{fill:#58ace6}: what the figure itself says for a dark page.
-function takeDarkRules(svg) {
-  const style = /<style>([\s\S]*?)<\/style>/.exec(svg)?.[1] ?? '';
-  const dark = /@media \(prefers-color-scheme:dark\)\{([\s\S]*)\}\s*$/.exec(style)?.[1] ?? '';
-  for (const [rule] of dark.matchAll(/\[[a-z]+="[^"]*"\]\{[^}]*\}/g)) darkRules.add(rule);
-}
+const darkRulesOf = ({children}) => children[0].value.match(/\[[a-z]+="[^"]*"\]\{[^}]*\}/g) ?? [];
 
-function withoutUnused(svg) {
-  const used = (id) => svg.includes(`#${id}'`) || svg.includes(`#${id}"`) || svg.includes(`#${id})`);
-  for (let before = ''; before !== svg;) {
-    before = svg;
-    svg = svg.replace(/[ \t]*<(path|circle|rect|use|filter)\b[^>]*\bid=['"]([^'"]+)['"][^>]*?(?:\/>|>[\s\S]*?<\/\1>)\s*/g,
-                      (whole, tag, id) => used(id) ? whole : '');
-  }
-  return svg;
-}
+const isPaper = ({name, attributes}, parent) => name === 'rect' && parent.name === 'g' && attributes.fill === '#ffffff' &&
+    attributes.x === '0' && attributes.y === '0';
 
-function withOwnNames(svg, prefix) {
-  return svg.replace(/\bid=(['"])([^'"]+)\1/g, `id=$1${prefix}-$2$1`)
-      .replace(/\b((?:xlink:)?href|begin|end)=(['"])#?([A-Za-z][\w-]*)(?=[.'"])/g,
-               (whole, name, quote, id) => name === 'begin' || name === 'end' ? whole : `${name}=${quote}#${prefix}-${id}`)
-      .replace(/url\(#([^)]+)\)/g, `url(#${prefix}-$1)`);
-}
+// The page is the paper, and has the colours; the picture is told in words, and is as wide as its column lets it be.
+const intoPage = (alternative) => ({name: 'intoPage', fn: () => ({element: {enter(node, parent) {
+  if (isDarkStyle(node)) darkRulesOf(node).forEach((rule) => darkRules.add(rule));
+  if (isDarkStyle(node) || isPaper(node, parent)) parent.children = parent.children.filter((child) => child !== node);
+  if (node.name !== 'svg') return;
+  const {viewBox, width, height, ...rest} = node.attributes;
+  node.attributes = {viewBox, style: `--width:${parseFloat(width)}px`, ...rest, role: 'img', 'aria-label': alternative};
+}}})});
+
+// What is drawn is left as it is, to the last digit. gnuplot gives some of its ids twice; those that a mark is known by
+// are made unlike those of all other figures, and marks that draw nothing go.
+const optimized = (svg, ...plugins) => optimize(svg, {plugins}).data;
+const cleaned = (svg, alternative) => optimized(svg, 'removeDoctype', 'removeXMLProcInst', 'removeTitle',
+  {name: 'removeDesc', params: {removeAny: true}}, intoPage(alternative));
+const withoutUnused = (svg) => optimized(svg, {name: 'cleanupIds', params: {minify: false, force: true}}, 'removeUselessDefs', 'removeEmptyContainers');
+const withOwnNames = (svg, prefix) => optimized(svg, {name: 'prefixIds', params: {prefix, delim: '-', prefixClassNames: false}});
 
 /// The figure of that path (from the root) as inline SVG with its alternative text.
 export function inlineFigure(path, prefix, alternative) {
   const file = join(root, path);
   if (!existsSync(file)) throw new Error(`there is no figure ${path}`);
-  let svg = read(file);
-  takeDarkRules(svg);
-  const width = /<svg[^>]*?\bwidth="([\d.]+)/.exec(svg)?.[1] ?? '720';
-  svg = svg.replace(/^[\s\S]*?(?=<svg)/, '')
-      .replace(/<style>[\s\S]*?<\/style>\s*/, '')
-      .replace(/<title>[\s\S]*?<\/title>\s*/g, '').replace(/<desc>[\s\S]*?<\/desc>\s*/g, '')
-      .replace(/<rect x="0" y="0" width="[\d.]+" height="[\d.]+" fill="#ffffff"\/>\s*/i, '')  // the paper is the page
-      .replace(/ id="gnuplot_[^"]*"/g, '')  // nothing refers to them, and gnuplot gives some twice
-      .replace(/<g [^>]*>\s*<\/g>\s*/g, '')
-      .replace(/\n\s*/g, '\n');
-  svg = withOwnNames(withoutUnused(svg), prefix);
-  return svg.replace(/<svg[^>]*?>/, (open) => {
-    const box = /viewBox="[^"]*"/.exec(open)[0];
-    return `<svg ${box} style="--width:${width}px" xmlns="http://www.w3.org/2000/svg" ` +
-           `xmlns:xlink="http://www.w3.org/1999/xlink" role="img" aria-label="${escape(alternative)}">`;
-  });
+  let svg = cleaned(read(file), alternative);
+  for (let before = ''; before !== svg;) [before, svg] = [svg, withoutUnused(svg)];  // a mark may be drawn by another alone
+  return withOwnNames(svg, prefix);
 }
 
 const papers = {light: '#fffefb', dark: '#15191c'};  // as in theme/book.css

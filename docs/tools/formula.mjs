@@ -27,16 +27,14 @@ export function formula(tex, display = false) {
 export const formulaStyle = () => adaptor.textContent(MathJax.svgStylesheet());
 
 /// Each glyph once a page: outlines move into one list that every formula refers to.
-export function shareGlyphs(page) {
-  const glyphs = new Map();
-  const shared = page.replace(/<path data-c="([0-9A-F]+)" d="([^"]*)"([^>]*)><\/path>/g, (whole, code, outline, rest) => {
-    if (!outline) return '';
-    const key = code + outline;
-    if (!glyphs.has(key)) glyphs.set(key, `g${glyphs.size}`);
-    return `<use href="#${glyphs.get(key)}"${rest}/>`;
+export function shareGlyphs(tree) {
+  const ids = new Map();  // of outlines
+  tree('path[data-c]').each((_, glyph) => {
+    const {'data-c': code, d: outline, ...rest} = glyph.attribs;
+    if (!outline) return tree(glyph).remove();
+    if (!ids.has(outline)) ids.set(outline, `g${ids.size}`);
+    Object.assign(glyph, {name: 'use', attribs: {href: '#' + ids.get(outline), ...rest}});
   });
-  if (!glyphs.size) return page;
-  const list = [...glyphs].map(([key, id]) => `<path id="${id}" d="${key.replace(/^[0-9A-F]+?(?=M)/, '')}"/>`).join('');
-  const store = `<svg class="glyphs" width="0" height="0" aria-hidden="true"><defs>${list}</defs></svg>`;
-  return shared.replace('<!--glyphs-->', store);
+  const list = [...ids].map(([outline, id]) => `<path id="${id}" d="${outline}"/>`).join('');
+  tree('#glyphs').replaceWith(list && `<svg class="glyphs" width="0" height="0" aria-hidden="true"><defs>${list}</defs></svg>`);
 }

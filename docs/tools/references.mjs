@@ -1,11 +1,16 @@
-// References within one page: to ids in double quotes, as we write them, and in single ones, as gnuplot does.
+// References within one page: what may be referred to, and what is.
 
-/// Every id and name that something on the page may refer to.
-export const idsOf = (page) => new Set([...page.matchAll(/\s(?:id|name)=(["'])([^"']+)\1/g)].map(([, , id]) => id));
+const attributesOf = (tree) => tree('*').toArray().flatMap(({attribs}) => Object.entries(attribs));
 
-// What a page refers to within itself: links, drawings used again, and what is filled, clipped or masked by something.
-const targets = (page) => [...page.matchAll(/\s(?:xlink:)?href=(["'])#([^"']+)\1/g), ...page.matchAll(/(url\()#([^)]+)\)/g)]
-    .map(([, , target]) => decodeURIComponent(target));
+/// Every id on the page, as often as it is given.
+export const idsOf = (tree) => attributesOf(tree).filter(([name]) => name === 'id').map(([, id]) => id);
+
+/// Every id and name that something may refer to.
+export const targetsOf = (tree) => new Set(attributesOf(tree).filter(([name]) => /^(id|name)$/.test(name)).map(([, target]) => target));
+
+// Links, drawings used again, and what is filled, clipped or masked by something.
+const referredTo = ([name, value]) => [...value.matchAll(/href$/.test(name) ? /^#(.+)/g : /url\(#([^)]+)\)/g)].map(([, id]) => id);
 
 /// What a page refers to and does not have, each once.
-export const unresolvedIn = (page, ids) => [...new Set(targets(page).filter((target) => !ids.has(target)))];
+export const unresolvedIn = (tree, targets = targetsOf(tree)) =>
+  [...new Set(attributesOf(tree).flatMap(referredTo).map(decodeURIComponent))].filter((id) => !targets.has(id));
