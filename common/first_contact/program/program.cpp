@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <new>
 #include <optional>
 
@@ -47,8 +46,7 @@ struct Program::Inside {
 
   CLI::App line;
   std::string name;
-  std::map<std::string, std::string> given;  // option -> its text
-  std::vector<std::string> own_options;      // of the chapter, which its numbers depend on
+  std::vector<std::string> own_options;  // of the chapter, which its numbers depend on
   std::vector<std::function<void()>> checks;
   std::string out, language = "en", theme = "light", format = "svg", values_file;
   bool as_json = false, no_figures = false;
@@ -60,21 +58,26 @@ struct Program::Inside {
   // The place of a result; the objects and lists on the way to it are made.
   Json& at(const std::string& place) { return json[Json::json_pointer(place)]; }
 
-  // An option whose text is checked and taken over once the whole line has been read.
+  // Was an option given, and as what?
+  bool given(const std::string& option) const { return line.count(option) > 0; }
+  std::string text_of(const std::string& option) const { return line.get_option(option)->as<std::string>(); }
+
+  // An option whose text is checked and taken over once the whole line has been read. CLI11's own validators
+  // do not serve: they let nan into every range, cut 1e20 down to the largest whole number, take "1,2,3," for
+  // three numbers, and do not set the value beside its option.
   void add(const std::string& option, const std::string& letters, const std::string& help,
            const std::string& value, std::function<void(const std::string&)> take) {
-    line.add_option_function<std::string>(
-            option, [this, option](const std::string& text) { given[option] = text; }, help)
+    line.add_option(
+            option, [](const CLI::results_t&) { return true; }, help)
         ->type_name(letters)
         ->default_str(value)
         ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
     checks.emplace_back([this, option, take = std::move(take)] {
-      const auto found = given.find(option);
-      if (found == given.end()) return;
+      if (!given(option)) return;
       try {
-        take(found->second);
+        take(text_of(option));
       } catch (const std::exception& error) {
-        throw Refused(option + " " + printable(found->second) + ": " + error.what());
+        throw Refused(option + " " + printable(text_of(option)) + ": " + error.what());
       }
     });
   }
@@ -196,13 +199,13 @@ void Program::option(const std::string& name, std::string& value, const std::vec
   inside_->choose(name, value, choices, help);
 }
 
-bool Program::given(const std::string& name) const { return inside_->given.contains(name); }
+bool Program::given(const std::string& name) const { return inside_->given(name); }
 
 // "--r 1,0,0, --s 1,1,0": the options of these that were given, with their values.
 std::string Program::told(const std::vector<std::string>& names) const {
   std::string all;
   for (const std::string& name : names)
-    if (given(name)) all += (all.empty() ? "" : ", ") + name + " " + printable(inside_->given.at(name));
+    if (given(name)) all += (all.empty() ? "" : ", ") + name + " " + printable(inside_->text_of(name));
   return all.empty() ? names.front() + " (its default)" : all;
 }
 
