@@ -53,14 +53,10 @@ Mesh flat_floor() {
   return program::height_field(4, 2, [](double, double) { return 0.0; });
 }
 
-bvh::NormalCones cones_of(const Bvh& tree) { return {*tree.parts().surface, tree.parts().space}; }
-
-/// The triangle with this number.
-std::span<const bvh::Place> place(const Bvh& tree, std::uint32_t number) {
-  const auto places = tree.parts().surface->places();
-  std::size_t at = 0;
-  while (places[at].number != number) ++at;
-  return places.subspan(at, 1);
+/// The cosine of the cone of one triangle about an axis.
+float cosine_around(const Eigen::Vector3f& axis, const Mesh& mesh, std::uint32_t triangle) {
+  const bvh::Surface surface(mesh);
+  return bvh::NormalCones(surface, bvh::Space(mesh)).cosine_around(axis, std::span(&triangle, 1));
 }
 
 }  // namespace
@@ -85,18 +81,14 @@ TEST_CASE("What the fast tree leaves out for its normals, the plain tree finds n
 }
 
 TEST_CASE("Inside a flat floor the cone is as narrow as its margin, at the rim there is none") {
-  const Bvh floor(flat_floor());
-  const auto cones = cones_of(floor);
-  CHECK(cones.cosine_around({0, 0, 1}, place(floor, 2 * (4 + 1))) ==
-        Approx(1 - bvh::NormalCones::margin).epsilon(1e-6));
-  CHECK(cones.cosine_around({0, 0, 1}, place(floor, 0)) == 0);
+  const Mesh floor = flat_floor();
+  CHECK(cosine_around({0, 0, 1}, floor, 2 * (4 + 1)) == Approx(1 - bvh::NormalCones::margin).epsilon(1e-6));
+  CHECK(cosine_around({0, 0, 1}, floor, 0) == 0);
 }
 
 TEST_CASE("A cone about another axis is wider by the angle between the two") {
-  const Bvh floor(flat_floor());
   const float tilt = 0.3F;
-  const float cosine =
-      cones_of(floor).cosine_around({std::sin(tilt), 0, std::cos(tilt)}, place(floor, 2 * (4 + 1)));
+  const float cosine = cosine_around({std::sin(tilt), 0, std::cos(tilt)}, flat_floor(), 2 * (4 + 1));
   CHECK(cosine == Approx(std::cos(tilt) - bvh::NormalCones::margin).epsilon(1e-5));
 }
 
@@ -109,6 +101,5 @@ TEST_CASE("Where a triangle is turned over, missing, there twice, or thin, there
   SECTION("missing") { faces[beside] = {0, 0, 0}; }
   SECTION("there twice") { faces.push_back(faces[beside]); }
   SECTION("thin") { points[faces[beside][2]] = points[faces[beside][1]] + Vector(1e-3, 1e-3, 0); }
-  const Bvh spoilt(Mesh(points, faces));
-  CHECK(cones_of(spoilt).cosine_around({0, 0, 1}, place(spoilt, middle)) == 0);
+  CHECK(cosine_around({0, 0, 1}, Mesh(points, faces), middle) == 0);
 }

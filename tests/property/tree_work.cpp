@@ -97,7 +97,7 @@ TEST_CASE("The fast tree looks at no more nodes, leaves and survivors than its l
 
 TEST_CASE("The fast tree takes no more memory than its limit") {
   const Mesh mesh = hills(100);
-  at_most(static_cast<double>(Bvh(mesh).bytes()) / static_cast<double>(mesh.size()), 71.8);
+  at_most(static_cast<double>(Bvh(mesh).bytes()) / static_cast<double>(mesh.size()), 41.7);
 }
 
 TEMPLATE_TEST_CASE("A plain tree looks at no more nodes and triangles than its limit", "", Octree, BspTree,

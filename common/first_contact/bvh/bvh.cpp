@@ -25,7 +25,7 @@ const Mesh& Bvh::mesh() const { return parts_->mesh; }
 std::size_t Bvh::bytes() const {
   const bvh::Parts& p = *parts_;
   return p.packed.nodes.size() * sizeof(bvh::Node) + p.packed.leaves.size() * sizeof(bvh::LeafUnit) +
-         p.surface->bytes();
+         p.leaves_at.bytes();
 }
 
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh) {

@@ -38,7 +38,7 @@ enum class Lead { away, nearer, in_doubt };
 /// A search for the first touch of one sphere among the features of a surface, in whatever order they come.
 ///
 /// Known is what is known of the surface:
-/// - `position(v)` of a vertex; `mesh_number(v)`, the lowest number that the mesh has for it;
+/// - `position(v)` of a vertex, which goes by the lowest number that the mesh has for it;
 /// - `lead(touch, from, to)` around an edge, or a vertex (from = to);
 /// - `faces_at(from, to)`, all faces with both, lowest number first; `lowest_face_at(from, to)`;
 /// - `each_near(vertices, visit)`: calls visit(number, corners) for all faces with one of the vertices that
@@ -74,9 +74,6 @@ class FirstTouch {
 
   bool too_late(const std::optional<Touch>& touch) const { return !touch || touch->time > latest(); }
   void keep(const Touch& touch, const Vertices& vertices, std::uint32_t face);
-  std::tuple<std::uint32_t, std::array<std::uint32_t, 3>> key(std::uint32_t face, const Vertices& v) const {
-    return {face, {known_.mesh_number(v[0]), known_.mesh_number(v[1]), known_.mesh_number(v[2])}};
-  }
   std::uint32_t lowest_triangle() const;
   bool reaches(const Vertices& corners, double tolerance) const;
 
@@ -145,17 +142,17 @@ void FirstTouch<Known>::vertex(std::uint32_t vertex) {
   if (lead == Lead::away) return keep(*touch, vertices, known_.lowest_face_at(vertex, vertex));
 
   const std::vector<FaceAt> around = known_.faces_at(vertex, vertex);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> others;  // number in the mesh, vertex
+  std::vector<std::uint32_t> others;
   std::vector<FaceAround> faces;
   for (const FaceAt& face : around) {
     for (const std::uint32_t corner : face.corners)
-      if (corner != vertex) others.emplace_back(known_.mesh_number(corner), corner);
+      if (corner != vertex) others.push_back(corner);
     faces.push_back({&face.facet, Vector::Zero()});
   }
   std::sort(others.begin(), others.end());
   others.erase(std::unique(others.begin(), others.end()), others.end());
   std::vector<Vector> edges, directions;
-  for (const auto& [number, other] : others) {
+  for (const std::uint32_t other : others) {
     edges.emplace_back(known_.position(other) - known_.position(vertex));
     directions.emplace_back(normalized(edges.back()));
   }
@@ -171,7 +168,7 @@ template <class Known>
 void FirstTouch<Known>::keep(const Touch& touch, const Vertices& vertices, std::uint32_t face) {
   if (first_ && !earlier(touch, *first_)) {
     const bool alike = !earlier(*first_, touch);
-    if (!alike || key(face, vertices) >= key(face_, vertices_)) return;
+    if (!alike || std::tie(face, vertices) >= std::tie(face_, vertices_)) return;
   }
   first_ = touch;
   vertices_ = vertices;

@@ -20,7 +20,6 @@ class KnownEnvironment {
   ///@{
   /// \see FirstTouch
   const Point& position(std::uint32_t vertex) const { return environment_.mesh().vertices()[vertex]; }
-  std::uint32_t mesh_number(std::uint32_t vertex) const { return vertex; }
   Lead lead(const Touch&, std::uint32_t, std::uint32_t) const { return Lead::in_doubt; }
   std::vector<FaceAt> faces_at(std::uint32_t from, std::uint32_t to) const {
     std::vector<FaceAt> faces;

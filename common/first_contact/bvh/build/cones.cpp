@@ -33,8 +33,8 @@ Eigen::Vector3f unit_normal(const Triangle& t, const Space& space) {
 struct Ring {
   std::array<std::uint32_t, most_around> after, before;
   std::size_t count = 0;
-  void add(const Place& triangle, std::uint32_t vertex) {
-    const auto& [a, b, c] = triangle.corner;
+  void add(const Mesh::Face& triangle, std::uint32_t vertex) {
+    const auto& [a, b, c] = triangle;
     after[count] = vertex == a ? b : vertex == b ? c : a;
     before[count++] = vertex == a ? c : vertex == b ? a : b;
   }
@@ -53,11 +53,11 @@ struct Ring {
 }  // namespace
 
 NormalCones::NormalCones(const Surface& surface, const Space& space)
-    : surface_(surface), cones_(surface.vertices()) {
-  const auto triangles = surface.places();
-  std::vector<Eigen::Vector3f> normals(triangles.size());
-  in_parallel_ranges(triangles.size(), [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) normals[i] = unit_normal(surface.triangle(triangles[i]), space);
+    : surface_(surface), cones_(surface.mesh().vertices().size()) {
+  const Mesh& mesh = surface.mesh();
+  std::vector<Eigen::Vector3f> normals(mesh.size());
+  in_parallel_ranges(mesh.size(), [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) normals[i] = unit_normal(mesh.triangle(i), space);
   });
   in_parallel_ranges(cones_.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) cones_[i] = cone_at(static_cast<std::uint32_t>(i), normals);
@@ -73,7 +73,7 @@ NormalCones::Cone NormalCones::cone_at(std::uint32_t vertex,
   Ring ring;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const std::uint32_t triangle : around) {
-    ring.add(surface_.places()[triangle], vertex);
+    ring.add(surface_.corners(triangle), vertex);
     sum += normals[triangle];
   }
   const Eigen::Vector3f axis = sum.normalized();
@@ -84,10 +84,11 @@ NormalCones::Cone NormalCones::cone_at(std::uint32_t vertex,
 }
 //! [cone_at]
 
-float NormalCones::cosine_around(const Eigen::Vector3f& axis, std::span<const Place> triangles) const {
+float NormalCones::cosine_around(const Eigen::Vector3f& axis,
+                                 std::span<const std::uint32_t> triangles) const {
   float least = 1;
-  for (const Place& triangle : triangles)
-    for (const std::uint32_t corner : triangle.corner) {
+  for (const std::uint32_t triangle : triangles)
+    for (const std::uint32_t corner : surface_.corners(triangle)) {
       const Cone& cone = cones_[corner];
       const float along = axis.dot(cone.axis);
       if (!(along > 0) || cone.cosine == 0) return 0;

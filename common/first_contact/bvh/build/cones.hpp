@@ -40,7 +40,8 @@ class NormalCones {
   /// The cosine of the angle within which all normals around some triangles are from an axis, less the
   /// margin; 0 if they have no such cone.
   /// \param axis  of length 1
-  float cosine_around(const Eigen::Vector3f& axis, std::span<const Place> triangles) const;
+  /// \param triangles  their numbers
+  float cosine_around(const Eigen::Vector3f& axis, std::span<const std::uint32_t> triangles) const;
 
   /// By how much the cosine is made smaller.
   static constexpr float margin = 1 / 32.0F;

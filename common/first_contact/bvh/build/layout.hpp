@@ -9,7 +9,7 @@
 ///
 /// The idea: a cast waits for memory more than it computes. Eight children to a node make the tree a third as
 /// deep as one of pairs; eight bits to a coordinate make eight boxes fit in one cache line; a leaf stores a
-/// shared vertex once. It equals a binary tree of boxes of doubles (trees/plain_bvh.hpp), whose every box lies
+/// shared vertex once, and has with it all that a cast asks of its triangles. It equals a binary tree of boxes of doubles (trees/plain_bvh.hpp), whose every box lies
 /// within the box stored here.
 ///
 /// All lengths are in the tree's own unit (\see space.hpp), in which the mesh lies between -1 and 1, so that
@@ -61,9 +61,8 @@ struct alignas(leaf_unit) LeafUnit {
 };
 
 /// The head of a leaf; after it x of all its vertices, then y, then z, as floats relative to the leaf's
-/// origin, in the leaf's unit.
+/// origin, in the leaf's unit; then the numbers that the mesh has for the vertices, and for the triangles.
 struct LeafHead {
-  std::uint32_t first;  ///< the place of its first triangle
   std::uint8_t triangles, vertices;
   std::int16_t
       exponent;  ///< its unit of length is 2^exponent; no coordinate of a vertex is larger than one unit
@@ -71,11 +70,10 @@ struct LeafHead {
   float origin[4];           ///< along the three axes; and 0
   std::uint8_t cone[width];  ///< the cosine of each triangle's cone, in 255ths, or 0: \see cones.hpp
 };
-static_assert(sizeof(LeafHead) == 44);
+static_assert(sizeof(LeafHead) == 40);
 
-/// A triangle, as a cast needs it that has come to its leaf: its number in the mesh, and the representatives
-/// of its corners.
-struct Place {
+/// A triangle of a leaf, as the mesh has it: its number, and those of its corners, each position by its lowest.
+struct LeafFace {
   std::uint32_t number;
   std::array<std::uint32_t, 3> corner;
 };
@@ -84,7 +82,6 @@ struct Place {
 struct Tree {
   const Node* nodes;
   const LeafUnit* leaves;
-  const Place* places;  ///< of the triangles, in the order of the leaves
   Ref root;
   float leaf_size;          ///< the mean size of a leaf
   double center[3], scale;  ///< its unit: \see space.hpp
@@ -97,11 +94,30 @@ inline Ref child(const Node& node, int j) {
   return number & 128 ? leaf_bit | (node.first_leaf + (number & 127)) : node.first_node + number;
 }
 /// A leaf.
-inline const LeafHead& leaf_at(const Tree& tree, Ref ref) {
-  return *reinterpret_cast<const LeafHead*>(tree.leaves + (ref & ~leaf_bit));
+inline const LeafHead& leaf_at(const LeafUnit* leaves, Ref ref) {
+  return *reinterpret_cast<const LeafHead*>(leaves + (ref & ~leaf_bit));
 }
 /// Where the coordinates of its vertices begin.
 inline const float* coordinates(const LeafHead& leaf) { return reinterpret_cast<const float*>(&leaf + 1); }
+/// The numbers of its vertices.
+inline const std::uint32_t* vertex_numbers(const LeafHead& leaf) {
+  return reinterpret_cast<const std::uint32_t*>(&leaf + 1) + 3 * leaf.vertices;
+}
+/// How many units it takes.
+inline std::uint32_t units_of(const LeafHead& leaf) {
+  const std::uint32_t numbers = 4U * leaf.vertices + leaf.triangles;
+  return (static_cast<std::uint32_t>(sizeof leaf) + 4 * numbers + leaf_unit - 1) / leaf_unit;
+}
+/// Which of its vertices is corner i of triangle j?
+inline std::uint32_t corner_of(const LeafHead& leaf, int j, std::size_t i) {
+  return leaf.corner[i] >> 4 * j & 15;
+}
+/// Its triangle j.
+inline LeafFace face_of(const LeafHead& leaf, int j) {
+  const std::uint32_t* number = vertex_numbers(leaf);
+  return {number[leaf.vertices + j],
+          {number[corner_of(leaf, j, 0)], number[corner_of(leaf, j, 1)], number[corner_of(leaf, j, 2)]}};
+}
 
 /// 2^exponent, put together from its bits.
 inline double power_of_two(int exponent) {

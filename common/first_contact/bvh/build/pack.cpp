@@ -18,9 +18,6 @@ constexpr std::uint32_t most_in_a_slab = 64;
 /// A unit smaller than this is not needed: the error of a position in the tree's unit is larger.
 constexpr int smallest_exponent = -100;
 
-/// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends.
-constexpr std::size_t read_past_the_end = 64 / leaf_unit;
-
 /// The different vertices of a leaf, and which of them the corners of its triangles are.
 struct LeafVertices {
   std::array<std::uint32_t, most_vertices> number;
@@ -44,13 +41,13 @@ class Packer {
 
  private:
   const Branch& branch(std::uint32_t number) const { return tree_.branches[number]; }
-  std::span<const Place> triangles(const Branch& part) const {
-    return surface_.places().subspan(part.first, part.count);
+  std::span<const std::uint32_t> triangles(const Branch& part) const {
+    return std::span(tree_.order).subspan(part.first, part.count);
   }
   Point vertex(std::uint32_t number) const { return space_.point(surface_.position(number)); }
 
   std::uint32_t add_leaf(const Branch& leaf);
-  std::uint8_t cone(const Vector& normal, std::span<const Place> triangles) const;
+  std::uint8_t cone(const Vector& normal, std::span<const std::uint32_t> triangles) const;
   LeafHead head_of(const Branch& leaf, LeafVertices& vertices) const;
   Node make_node(std::uint32_t number, const Cover& cover);
   Node subtree(std::uint32_t number);
@@ -61,7 +58,7 @@ class Packer {
   void in_turns(const Cover& cover, const Work& work) const;
   void write_children(Node& node, const Cover& cover);
   void write_slab(Node& node, std::size_t j, const Branch& child) const;
-  Vector area_vector(std::span<const Place> part) const;
+  Vector area_vector(std::span<const std::uint32_t> part) const;
 
   const BinaryTree& tree_;
   const Collapse& collapse_;
@@ -74,7 +71,7 @@ class Packer {
 };
 
 /// The cosine of the cone of some triangles about a normal, in 255ths of its length.
-std::uint8_t Packer::cone(const Vector& normal, std::span<const Place> triangles) const {
+std::uint8_t Packer::cone(const Vector& normal, std::span<const std::uint32_t> triangles) const {
   const auto length = static_cast<float>(normal.norm());
   if (!(length > 0)) return 0;
   const Eigen::Vector3f axis = normal.cast<float>() / length;
@@ -84,11 +81,11 @@ std::uint8_t Packer::cone(const Vector& normal, std::span<const Place> triangles
 /// The head of a leaf but for its unit, and its vertices.
 LeafHead Packer::head_of(const Branch& leaf, LeafVertices& vertices) const {
   LeafHead head{};
-  head.first = leaf.first;
   head.triangles = static_cast<std::uint8_t>(leaf.count);
   const auto all = triangles(leaf);
   for (std::size_t j = 0; j < all.size(); ++j) {
-    for (std::size_t i = 0; i < 3; ++i) head.corner[i] |= vertices.place_of(all[j].corner[i]) << 4 * j;
+    for (std::size_t i = 0; i < 3; ++i)
+      head.corner[i] |= vertices.place_of(surface_.corners(all[j])[i]) << 4 * j;
     const auto triangle = all.subspan(j, 1);
     head.cone[j] = cone(area_vector(triangle).normalized(), triangle);
   }
@@ -112,26 +109,28 @@ std::uint32_t Packer::add_leaf(const Branch& leaf) {
   head.exponent = static_cast<std::int16_t>(std::max(exponent, smallest_exponent));
   const double per_unit = std::ldexp(1.0, -head.exponent);
 
-  const std::size_t size = sizeof head + 3 * sizeof(float) * vertices.count;
   const std::size_t at = result_.leaves.size();
-  result_.leaves.resize(at + (size + leaf_unit - 1) / leaf_unit);
+  result_.leaves.resize(at + units_of(head));
   unsigned char* out = result_.leaves[at].bytes;
-  std::memcpy(out, &head, sizeof head);
-  out += sizeof head;
+  const auto append = [&](const auto& value) {
+    std::memcpy(out, &value, sizeof value);
+    out += sizeof value;
+  };
+  append(head);
   for (Eigen::Index i = 0; i < 3; ++i)
-    for (std::size_t v = 0; v < vertices.count; ++v, out += sizeof(float)) {
-      const auto coordinate = static_cast<float>(position[v][i] * per_unit);
-      std::memcpy(out, &coordinate, sizeof coordinate);
-    }
+    for (std::size_t v = 0; v < vertices.count; ++v) append(static_cast<float>(position[v][i] * per_unit));
+  for (std::size_t v = 0; v < vertices.count; ++v) append(vertices.number[v]);
+  for (const std::uint32_t triangle : triangles(leaf)) append(triangle);
   ++leaf_count_;
   const Floats4 extent = leaf.high - leaf.low;
   sum_of_sizes_ += std::max({extent[0], extent[1], extent[2]});
   return static_cast<std::uint32_t>(at);
 }
 
-Vector Packer::area_vector(std::span<const Place> part) const {
+Vector Packer::area_vector(std::span<const std::uint32_t> part) const {
   Vector sum = Vector::Zero();
-  for (const auto& [number, corner] : part) {
+  for (const std::uint32_t triangle : part) {
+    const Mesh::Face& corner = surface_.corners(triangle);
     const Point a = vertex(corner[0]);
     sum += (vertex(corner[1]) - a).cross(vertex(corner[2]) - a);
   }
@@ -156,8 +155,8 @@ void Packer::write_slab(Node& node, std::size_t j, const Branch& child) const {
   }
   double low = half, high = -half;
   const Point origin(node.origin[0], node.origin[1], node.origin[2]);
-  for (const Place& place : triangles(child))
-    for (const std::uint32_t corner : place.corner) {
+  for (const std::uint32_t triangle : triangles(child))
+    for (const std::uint32_t corner : surface_.corners(triangle)) {
       const double height = normal.dot(vertex(corner) - origin);
       low = std::min(low, height);
       high = std::max(high, height);
@@ -235,7 +234,8 @@ PackedTree Packer::pack() {
   const Cover cover = collapse_.children(0);
   result_.nodes.resize(1);
   Node top = make_node(0, cover);
-  std::vector<Packer> parts(cover.branch.size(), *this);
+  const Packer empty(tree_, collapse_, surface_, space_, cones_);
+  std::vector<Packer> parts(cover.branch.size(), empty);
   std::array<Node, width> child{};
   in_turns(cover, [&](std::size_t j) { child[j] = parts[j].subtree(cover.branch[j]); });
   for (std::size_t j = 0; j < top.count; ++j)

@@ -8,12 +8,23 @@
 
 namespace first_contact::bvh {
 
+/// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends: so many units are left
+/// behind the last.
+inline constexpr std::size_t read_past_the_end = 64 / leaf_unit;
+
 /// The wide tree and the memory that it lies in.
 struct PackedTree {
   std::vector<Node> nodes;
   std::vector<LeafUnit> leaves;
   Ref root = leaf_bit;
   float leaf_size = 0;  ///< the mean of the longest side of the leaves' boxes
+
+  /// Calls visit(leaf) for all leaves, as they lie in memory.
+  template <class Visit>
+  void each_leaf(const Visit& visit) const {
+    const std::size_t end = leaves.empty() ? 0 : leaves.size() - read_past_the_end;
+    for (std::uint32_t at = 0; at < end; at += units_of(leaf_at(leaves.data(), at))) visit(leaf_bit | at);
+  }
 };
 
 /// Writes the binary tree as a wide one:

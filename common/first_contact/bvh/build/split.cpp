@@ -109,8 +109,7 @@ std::span<const Part> along(const Bins& in, int axis) {
 
 class Splitter {
  public:
-  Splitter(const Mesh& surface, const Merged& vertices, std::span<Item> all)
-      : mesh_(surface), merged_(vertices), items_(all) {}
+  Splitter(const Surface& triangles, std::span<Item> all) : surface_(triangles), items_(all) {}
 
   /// The tree over some items; the root first.
   std::vector<Branch> tree(std::uint32_t first, std::uint32_t count, int depth, unsigned threads);
@@ -120,8 +119,7 @@ class Splitter {
   std::uint32_t cut(std::uint32_t first, std::uint32_t count, int depth, Branch& branch);
   void grow(std::vector<Branch>& branches, std::uint32_t at, int depth);
 
-  const Mesh& mesh_;
-  const Merged& merged_;
+  const Surface& surface_;
   std::span<Item> items_;
 };
 
@@ -131,7 +129,7 @@ bool Splitter::small_enough(std::uint32_t first, std::uint32_t count) const {
   std::array<std::uint32_t, std::size_t{3} * width> seen{};
   auto end = seen.begin();
   for (const Item& item : items_.subspan(first, count))
-    for (const std::uint32_t vertex : merged_.corners(mesh_.faces()[item.number()]))
+    for (const std::uint32_t vertex : surface_.corners(item.number()))
       if (std::find(seen.begin(), end, vertex) == end) *end++ = vertex;
   return end - seen.begin() <= most_vertices;
 }
@@ -215,14 +213,15 @@ std::vector<Branch> Splitter::tree(std::uint32_t first, std::uint32_t count, int
 
 }  // namespace
 
-BinaryTree split(const Mesh& mesh, const Space& space, const Merged& merged) {
+BinaryTree split(const Surface& surface, const Space& space) {
+  const Mesh& mesh = surface.mesh();
   const auto n = static_cast<std::uint32_t>(mesh.size());
   std::vector<Item> items(n);
   in_parallel_ranges(n, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) items[i] = make_item(mesh, space, static_cast<std::uint32_t>(i));
   });
   BinaryTree tree;
-  tree.branches = Splitter(mesh, merged, items).tree(0, n, 0, threads_for(n));
+  tree.branches = Splitter(surface, items).tree(0, n, 0, threads_for(n));
   tree.order.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) tree.order[i] = items[i].number();
   return tree;

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "first_contact/bvh/build/merged.hpp"
 #include "first_contact/bvh/build/space.hpp"
+#include "first_contact/bvh/build/surface.hpp"
 
 namespace first_contact::bvh {
 
@@ -29,6 +29,6 @@ struct BinaryTree {
 /// By the surface area heuristic (trees/bin_cut.hpp) with 16 bins along each axis, or 8 for a few triangles, and
 /// work counted in leaves of eight. It equals the cuts of the plain tree, which always has 16 bins and counts
 /// single triangles.
-BinaryTree split(const Mesh& mesh, const Space& space, const Merged& merged);
+BinaryTree split(const Surface& surface, const Space& space);
 
 }  // namespace first_contact::bvh

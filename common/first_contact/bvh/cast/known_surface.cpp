@@ -9,8 +9,8 @@ namespace first_contact::bvh {
 
 namespace {
 
-bool has(const Place& place, std::uint32_t vertex) {
-  return place.corner[0] == vertex || place.corner[1] == vertex || place.corner[2] == vertex;
+bool has(const LeafFace& face, std::uint32_t vertex) {
+  return face.corner[0] == vertex || face.corner[1] == vertex || face.corner[2] == vertex;
 }
 
 /// Is a face with these two sides far from being too thin to answer for itself (\see Facet::thin_for), and
@@ -25,6 +25,20 @@ bool clearly_thick(const Vector& u, const Vector& v, double radius) {
 
 }  // namespace
 
+//! [each_face_at]
+/// Calls visit(face) for each face with two vertices, which may be the same: those of the leaves that have both.
+template <class Visit>
+void KnownSurface::each_face_at(std::uint32_t from, std::uint32_t to, const Visit& visit) const {
+  for (const Ref ref : parts_.leaves_at.of(from)) {
+    const LeafHead& leaf = leaf_at(parts_.tree.leaves, ref);
+    for (int j = 0; j < leaf.triangles; ++j) {
+      const LeafFace face = face_of(leaf, j);
+      if (has(face, from) && has(face, to)) visit(face);
+    }
+  }
+}
+//! [each_face_at]
+
 //! [lead]
 /// Where do the faces around a touched vertex (from = to) or edge lead, by much more than rounding? If all
 /// bend away from the sphere, then none of them is nearer, none has the touch's normal, the edge is not flat
@@ -38,8 +52,8 @@ Lead KnownSurface::lead(const Touch& touch, std::uint32_t from, std::uint32_t to
   const double sine = std::max(much, in_doubt / touch.distance);
   const Vector edge = position(to) - position(from);
   bool all_away = true;
-  const auto leads_nearer = [&](const Place& place) {
-    for (const std::uint32_t corner : place.corner) {
+  const auto leads_nearer = [&](const LeafFace& face) {
+    for (const std::uint32_t corner : face.corner) {
       if (corner == from || corner == to) continue;
       const Vector way = position(corner) - position(from);
       const double rise = dot(touch.normal, way);
@@ -51,31 +65,28 @@ Lead KnownSurface::lead(const Touch& touch, std::uint32_t from, std::uint32_t to
   };
   // What was considered is at hand, and most often says so already.
   for (std::size_t i = 0; i < count_; ++i) {
-    const Place& place = *first_[i];
-    if (has(place, from) && has(place, to) && leads_nearer(place)) return Lead::nearer;
+    const LeafFace& face = first_[i];
+    if (has(face, from) && has(face, to) && leads_nearer(face)) return Lead::nearer;
   }
-  for (const std::uint32_t at : surface_.around(from)) {
-    const Place& place = surface_.places()[at];
-    if (has(place, to) && leads_nearer(place)) return Lead::nearer;
-  }
-  return all_away ? Lead::away : Lead::in_doubt;
+  bool nearer = false;
+  each_face_at(from, to, [&](const LeafFace& face) { nearer = nearer || leads_nearer(face); });
+  return nearer ? Lead::nearer : all_away ? Lead::away : Lead::in_doubt;
 }
 //! [lead]
 
 std::vector<FaceAt> KnownSurface::faces_at(std::uint32_t from, std::uint32_t to) const {
   std::vector<FaceAt> faces;
-  for (const std::uint32_t at : surface_.around(from)) {
-    const Place& place = surface_.places()[at];
-    const auto& [a, b, c] = place.corner;
-    if (has(place, to)) faces.push_back({place.number, {a, b, c}, Facet(surface_.triangle(place))});
-  }
+  each_face_at(from, to, [&](const LeafFace& face) {
+    faces.push_back({face.number, face.corner, facet(face)});
+  });
+  std::sort(faces.begin(), faces.end(), [](const FaceAt& f, const FaceAt& g) { return f.number < g.number; });
   return faces;
 }
 
 std::uint32_t KnownSurface::lowest_face_at(std::uint32_t from, std::uint32_t to) const {
-  for (const std::uint32_t at : surface_.around(from))
-    if (has(surface_.places()[at], to)) return surface_.places()[at].number;
-  return 0;
+  std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
+  each_face_at(from, to, [&](const LeafFace& face) { lowest = std::min(lowest, face.number); });
+  return lowest;
 }
 
 }  // namespace first_contact::bvh

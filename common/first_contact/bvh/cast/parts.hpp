@@ -1,10 +1,7 @@
 #pragma once
-#include <optional>
-
-#include "first_contact/bvh/build/merged.hpp"
+#include "first_contact/bvh/build/lists.hpp"
 #include "first_contact/bvh/build/pack.hpp"
 #include "first_contact/bvh/build/space.hpp"
-#include "first_contact/bvh/build/surface.hpp"
 #include "first_contact/bvh/kernels/walker.hpp"
 
 namespace first_contact::bvh {
@@ -16,7 +13,7 @@ struct Parts {
   Mesh mesh;
   Space space;
   PackedTree packed;
-  std::optional<Surface> surface;
+  Lists leaves_at;  ///< of each vertex of the mesh, by the lowest number at its position
 
   Tree tree;             ///< all this, for the walks
   const Walker& walker;  ///< the best for the machine that runs this

@@ -33,7 +33,7 @@ unsigned by(double time, const Found& found) {
 }  // namespace
 
 SphereCast::SphereCast(const Moving<Sphere>& moving, const Parts& parts, const Walker& walker)
-    : parts_(parts), walker_(walker), tree_(parts.tree), verdict_(*parts.surface, moving) {
+    : parts_(parts), walker_(walker), tree_(parts.tree), verdict_(parts, moving) {
   const Vector& v = moving.displacement;
   question_ = {moving.shape.center.data(), v.data(), moving.shape.radius};
   near_ = parts.mesh.size() > 0 && !v.isZero(0) && find_path(tree_, question_, walk_.path);
@@ -53,49 +53,48 @@ void SphereCast::note_latest() {
 
 //! [consider]
 /// What may be touched at the start is decided at once: of it one may yet get free.
-void SphereCast::consider(const Place& place, bool overlapping) {
+void SphereCast::consider(const LeafFace& face, bool overlapping) {
   constexpr unsigned all_features = 0x7f;
   if (!ordinary_) {  // the bounds are for lengths whose products are; the verdict chooses a unit
-    verdict_.consider(place, all_features);
+    verdict_.consider(face, all_features);
     return note_latest();
   }
-  const Surface& surface = *parts_.surface;
-  const auto& [a, b, c] = place.corner;
+  const std::vector<Point>& position = parts_.mesh.vertices();
+  const auto& [a, b, c] = face.corner;
   const double latest = std::min({verdict_.latest(), hoped_, 1.0});
-  const Found found =
-      walker_.features_in_time(question_, surface.position(a).data(), surface.position(b).data(),
-                               surface.position(c).data(), latest, overlapping);
+  const Found found = walker_.features_in_time(question_, position[a].data(), position[b].data(),
+                                               position[c].data(), latest, overlapping);
   if (overlapping || !hopeful_ || found.features == 0) {
-    verdict_.consider(place, found.features, found.within);
+    verdict_.consider(face, found.features, found.within);
   } else {
     if (postponed_count_ == postponed_.size()) consider_postponed();
-    postponed_[postponed_count_++] = {&place, earliest(found), found};
+    postponed_[postponed_count_++] = {face, earliest(found), found};
     hoped_ = std::min(hoped_, found.late);
   }
   if (found.features != 0) note_latest();
 }
 
 /// Decides about a triangle that survives. If the walk is certain about its face, no feature has to be asked.
-void SphereCast::decide_about(const Place& place, int lane) {
+void SphereCast::decide_about(const LeafFace& face, int lane) {
   const Progress& at = walk_.progress;
   const bool overlapping = at.early[lane] <= 0;
   if (at.untouched >> lane & 1) {
-    verdict_.consider(place, 0);
+    verdict_.consider(face, 0);
   } else if (!(at.touched >> lane & 1)) {
-    consider(place, overlapping);
+    consider(face, overlapping);
   } else if (overlapping || !hopeful_) {
-    verdict_.consider(place, 1, true);
+    verdict_.consider(face, 1, true);
     note_latest();
   } else {
-    postpone_face(place, time_of(at.early[lane]), time_of(at.late[lane]));
+    postpone_face(face, time_of(at.early[lane]), time_of(at.late[lane]));
   }
 }
 
 /// A face that is touched for certain, between these times.
-void SphereCast::postpone_face(const Place& place, double early, double late) {
+void SphereCast::postpone_face(const LeafFace& face, double early, double late) {
   if (postponed_count_ == postponed_.size()) consider_postponed();
   Postponed& postponed = postponed_[postponed_count_++];
-  postponed.place = &place;
+  postponed.face = face;
   postponed.early = postponed.found.early[0] = early;
   postponed.found.features = 1;
   postponed.found.within = true;
@@ -108,7 +107,7 @@ void SphereCast::consider_postponed() {
     std::sort(postponed_.begin(), end,
               [](const Postponed& p, const Postponed& q) { return p.early < q.early; });
   std::for_each(postponed_.begin(), end, [&](const Postponed& p) {
-    verdict_.consider(*p.place, by(std::min(verdict_.latest(), hoped_), p.found), p.found.within);
+    verdict_.consider(p.face, by(std::min(verdict_.latest(), hoped_), p.found), p.found.within);
   });
   postponed_count_ = 0;
 }
@@ -126,10 +125,10 @@ bool SphereCast::finish() {
 //! [consider]
 
 Pause SphereCast::fetch_corners() const {
-  const Place* places = tree_.places + walk_.progress.leaf->first;
+  const LeafHead& leaf = *walk_.progress.leaf;
   for (unsigned left = walk_.progress.survivors; left != 0; left &= left - 1)
-    for (const std::uint32_t vertex : places[std::countr_zero(left)].corner)
-      __builtin_prefetch(&parts_.surface->position(vertex));
+    for (const std::uint32_t vertex : face_of(leaf, std::countr_zero(left)).corner)
+      __builtin_prefetch(&parts_.mesh.vertices()[vertex]);
   return Pause::corners;
 }
 
@@ -137,13 +136,12 @@ Pause SphereCast::fetch_corners() const {
 /// The nearest first: often it makes the others too late.
 void SphereCast::decide_leaf() {
   const Progress& at = walk_.progress;
-  const Place* places = tree_.places + at.leaf->first;
   for (unsigned left = at.survivors; left != 0;) {
     int nearest = std::countr_zero(left);
     for (unsigned others = left & (left - 1); others != 0; others &= others - 1)
       if (at.early[std::countr_zero(others)] < at.early[nearest]) nearest = std::countr_zero(others);
     if (at.early[nearest] > at.latest) return;
-    decide_about(places[nearest], nearest);
+    decide_about(face_of(*at.leaf, nearest), nearest);
     left &= ~(1U << nearest);
   }
 }

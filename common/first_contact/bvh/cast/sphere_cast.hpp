@@ -38,9 +38,9 @@ class SphereCast {
 
  private:
   void decide_leaf();
-  void decide_about(const Place& place, int lane);
-  void consider(const Place& place, bool overlapping);
-  void postpone_face(const Place& place, double early, double late);
+  void decide_about(const LeafFace& face, int lane);
+  void consider(const LeafFace& face, bool overlapping);
+  void postpone_face(const LeafFace& face, double early, double late);
   /// A time of the walk as one of the cast.
   double time_of(float tau) const { return walk_.path.from_time + tau * walk_.path.duration; }
   void note_latest();
@@ -56,7 +56,7 @@ class SphereCast {
 
   /// A triangle of which some features are touched, perhaps.
   struct Postponed {
-    const Place* place;
+    LeafFace face;
     double early;  // the least of its times
     Found found;
   };

@@ -16,12 +16,11 @@ bool Verdict::Recent<Key>::seen(const Key& k) {
 }
 
 //! [verdict]
-void Verdict::consider(const Place& place, unsigned features, bool within_face) {
-  known_.note(place);
+void Verdict::consider(const LeafFace& face, unsigned features, bool within_face) {
+  known_.note(face);
   if (features == 0) return;
-  const auto& [a, b, c] = place.corner;
-  const std::array<std::uint32_t, 3> corners{a, b, c};
-  if (features & 1) first_.face(place.number, corners, Facet(surface_.triangle(place)), within_face);
+  const std::array<std::uint32_t, 3>& corners = face.corner;
+  if (features & 1) first_.face(face.number, corners, known_.facet(face), within_face);
   for (unsigned left = features >> 1; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
     if (i < 3)

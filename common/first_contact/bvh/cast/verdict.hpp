@@ -14,8 +14,8 @@ namespace first_contact::bvh {
 /// bit for bit.
 class Verdict {
  public:
-  Verdict(const Surface& surface, const Moving<Sphere>& sphere)
-      : surface_(surface), known_(surface, sphere.shape.radius), first_(known_, sphere) {}
+  Verdict(const Parts& parts, const Moving<Sphere>& sphere)
+      : known_(parts, sphere.shape.radius), first_(known_, sphere) {}
   Verdict(const Verdict&) = delete;
   Verdict& operator=(const Verdict&) = delete;
 
@@ -23,7 +23,7 @@ class Verdict {
   /// vertices a, b, c. Triangles of which no feature is in time are worth a mention too: they may be touched
   /// where another one is.
   /// \param within_face  \see touch_face
-  void consider(const Place& place, unsigned features, bool within_face = false);
+  void consider(const LeafFace& face, unsigned features, bool within_face = false);
   /// Begins once more, as if nothing had been considered.
   void forget();
   /// The time of the first contact so far; 2 if there is none.
@@ -41,7 +41,6 @@ class Verdict {
 
   void consider_edge(std::uint32_t p, std::uint32_t q);
 
-  const Surface& surface_;
   KnownSurface known_;
   FirstTouch<KnownSurface> first_;
   Recent<std::uint64_t> edges_;

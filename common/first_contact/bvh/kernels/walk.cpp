@@ -33,7 +33,7 @@ HWY_INLINE void fetch(const void* address, int lines) {
 }
 HWY_INLINE void fetch_candidate(const Tree& tree, Ref ref) {
   if (ref & leaf_bit)
-    fetch(&leaf_at(tree, ref), 3);
+    fetch(&leaf_at(tree.leaves, ref), 4);
   else
     fetch(&tree.nodes[ref], 3);
 }
@@ -105,7 +105,7 @@ HWY_INLINE void settle(Progress& progress, const Certain& face, unsigned alive, 
 //! [look]
 /// The triangles of a leaf that may be touched in time, and the times before which they are not. Further
 /// steps are for those that are apart from the sphere and in doubt.
-HWY_INLINE unsigned survivors(const Tree& tree, const Path& path, Progress& progress, float entry) {
+HWY_INLINE unsigned survivors(const Path& path, Progress& progress, float entry) {
   constexpr int most_steps = 3;
   const LeafHead& head = *progress.leaf;
   const InLeaf sphere = in_leaf(path, head, entry);
@@ -117,7 +117,6 @@ HWY_INLINE unsigned survivors(const Tree& tree, const Path& path, Progress& prog
     alive &= ~(step.never | bits(all(entry) + later > all(progress.latest)));
     if (!alive) return 0;
     if (steps > 1) continue;
-    fetch(&tree.places[head.first], 2);  // it comes while the floats are at work
     const Heights over = heights(eight, sphere);
     const bool several = (alive & (alive - 1)) != 0;
     if (path.bare > 0 && several)
@@ -134,8 +133,8 @@ HWY_INLINE unsigned survivors(const Tree& tree, const Path& path, Progress& prog
 
 /// Looks at the triangles of a leaf. \returns whether some survive
 HWY_INLINE bool look(const Tree& tree, Walk& walk, const Candidate& leaf) {
-  walk.progress.leaf = &leaf_at(tree, leaf.ref);
-  walk.progress.survivors = survivors(tree, walk.path, walk.progress, leaf.time);
+  walk.progress.leaf = &leaf_at(tree.leaves, leaf.ref);
+  walk.progress.survivors = survivors(walk.path, walk.progress, leaf.time);
   return walk.progress.survivors != 0;
 }
 //! [look]
