@@ -7,6 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 root=$PWD place=$PWD/build/everywhere
 digest=$root/tests/data/digest.txt
 export root place digest
+. .course/build.sh
 
 configure() { # name cmake-arguments ...
   cmake -G Ninja -S "$root/tests/digest" -B "$place/$1" -DCMAKE_BUILD_TYPE=None "${@:2}"
@@ -64,5 +65,5 @@ command -v aarch64-linux-gnu-g++ >/dev/null && command -v qemu-aarch64-static >/
 [[ -d /usr/include/wasm32-wasi ]] && tasks+=("wasm wasm")
 
 mkdir -p "$place"
-printf '%s\0' "${tasks[@]}" | xargs -0 -P "$(nproc)" -I{} bash -c '{} || touch "$place/unequal"'
+printf '%s\0' "${tasks[@]}" | xargs -0 -P "$(cores)" -I{} bash -c '{} || touch "$place/unequal"'
 [[ ! -e $place/unequal ]] || { rm "$place/unequal"; exit 1; }

@@ -18,8 +18,12 @@ const secondsToRun = 120;  // of the processor, for each of the tests' programs
 
 const secondsToBuild = 1200;
 
-// What must notice, the quickest first.
-const judges = ['unit_tests', 'property_tests', 'oracle_tests'];
+// What must notice, the quickest first: each with its program in the folder of the tests' build, and what it is asked.
+const tests = ['--abort', '~[slow]'];
+const judges = [
+  {target: 'digest', program: 'digest/digest', words: ['data/digest.txt']},
+  ...['unit_tests', 'property_tests', 'oracle_tests'].map((name) => ({target: name, program: name, words: tests})),
+];
 
 function refuse(words) {
   console.error(`course: mutants ${words}`);
@@ -109,27 +113,28 @@ class Workshop {
   async open() {
     copyProject(this.folder);
     const set = ['-G', 'Ninja', '-DCMAKE_BUILD_TYPE=', '-DCMAKE_CXX_FLAGS=-O1', '-DBUILD_SHARED_LIBS=ON', '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'];
-    const ready = await run(this.folder, 'cmake', ['-S', '.', '-B', 'build', ...set], secondsToBuild) === 'ok' && await this.make() === 'ok';
-    if (!ready) throw new Error(`${this.folder}: the project as it is does not build`);
-    for (const judge of judges)
-      if (await this.ask(judge) !== 'ok') throw new Error(`${judge}: fails on the project as it is`);
+    if (await run(this.folder, 'cmake', ['-S', '.', '-B', 'build', ...set], secondsToBuild) !== 'ok')
+      throw new Error(`${this.folder}: the project as it is cannot be configured`);
+    for (const judge of judges) {
+      if (!await this.make(judge)) throw new Error(`${judge.target}: does not build from the project as it is`);
+      if (await this.ask(judge) !== 'ok') throw new Error(`${judge.target}: fails on the project as it is`);
+    }
   }
-  make() {
-    return run(this.folder, 'cmake', ['--build', 'build', '-j1', '--target', ...judges], secondsToBuild);
+  async make({target}) {
+    return await run(this.folder, 'cmake', ['--build', 'build', '-j1', '--target', target], secondsToBuild) === 'ok';
   }
-  ask(judge) {
-    const words = judge === 'digest' ? ['--compare'] : ['--abort', '~[slow]'];
-    return run(join(this.folder, 'tests'), join(this.build, 'tests', judge), words, secondsToRun);
+  ask({program, words}) {
+    return run(join(this.folder, 'tests'), join(this.build, 'tests', program), words, secondsToRun);
   }
   // \returns which of the judges noticed, 'compiler' if it is no program at all, or 'survives'
   async judge(mutant) {
     const path = join(this.folder, mutant.file), text = readFileSync(path, 'utf8');
     writeFileSync(path, changed(text, mutant));
     try {
-      if (await this.make() !== 'ok') return 'compiler';
       for (const judge of judges) {
+        if (!await this.make(judge)) return 'compiler';
         const answer = await this.ask(judge);
-        if (answer !== 'ok') return answer === 'failed' ? judge : `${judge}, ${answer}`;
+        if (answer !== 'ok') return answer === 'failed' ? judge.target : `${judge.target}, ${answer}`;
       }
       return 'survives';
     } finally {
