@@ -44,6 +44,11 @@ const Rigid turn = Rigid::moved_by({7, 8, 9}).after(Rigid::turned({1, -2, 1}, 0.
 
 }  // namespace
 
+TEST_CASE("A box of sides 4, 2 and 1 has the volume 8, turned too, and a ball of radius 3 has 36 pi") {
+  CHECK(volume(brick) == 8);
+  CHECK(volume(turn.box(brick)) == Approx(8));
+  CHECK(volume(Sphere{{1, 2, 3}, 3}) == Approx(36 * std::numbers::pi).epsilon(1e-15));
+}
 TEST_CASE("The bounding box of a box along the axes is that box") {
   const Box box = bounding_box(corners(brick));
   CHECK(box.center == brick.center);
