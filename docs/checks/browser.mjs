@@ -100,7 +100,7 @@ async function faultsOfKeyboard(page) {
                     at.id === 'MSearchField'};
     });
     let stop = await look();
-    for (let waited = 0; waited < 10 && !(stop.seen && stop.inside); ++waited) {  // the page may still be scrolling there
+    for (let waited = 0; waited < 10 && !(stop.seen && stop.inside); ++waited) {  // the page may still be laid out
       await page.waitForTimeout(50);
       stop = await look();
     }
@@ -114,8 +114,9 @@ async function faultsOfKeyboard(page) {
 }
 
 // One tab a view, that visits page after page; what it hears is about the page that is open.
+// Motion is reduced: where the focus is after a key does not depend on how far a smooth scroll has come.
 async function openTab(browser, [colorScheme, width, height]) {
-  const page = await browser.newPage({colorScheme, viewport: {width, height}});
+  const page = await browser.newPage({colorScheme, reducedMotion: 'reduce', viewport: {width, height}});
   let name = '';
   page.on('console', (message) => { if (message.type() === 'error') complain(name, `console: ${message.text()}`); });
   page.on('pageerror', (error) => complain(name, `error: ${error.message}`));
