@@ -14,7 +14,7 @@ using namespace digest;
 
 std::vector<Verb> all_verbs() {
   std::vector<Verb> all;
-  for (const auto& verbs : {shape_verbs(), sweep_verbs(), surface_verbs(), motion_verbs()})
+  for (const auto& verbs : {shape_verbs(), sweep_verbs(), box_verbs(), surface_verbs(), motion_verbs()})
     all.insert(all.end(), verbs.begin(), verbs.end());
   return all;
 }

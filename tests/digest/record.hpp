@@ -75,6 +75,7 @@ constexpr int cases = 10000;
 
 std::vector<Verb> shape_verbs();
 std::vector<Verb> sweep_verbs();
+std::vector<Verb> box_verbs();
 std::vector<Verb> surface_verbs();
 std::vector<Verb> motion_verbs();
 

@@ -101,6 +101,8 @@ void bounding(Record& record) {
     const Box box = bounding_box(points);
     record.add(box.center);
     record.add(box.r);
+    record.add(volume(box));
+    record.add(volume(sphere));
   }
 }
 

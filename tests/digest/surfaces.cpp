@@ -8,6 +8,7 @@
 #include "first_contact/trees/bsp_tree.hpp"
 #include "first_contact/trees/objects.hpp"
 #include "first_contact/trees/octree.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 #include "first_contact/trees/soup.hpp"
 #include "record.hpp"
 #include "shapes.hpp"
@@ -41,6 +42,23 @@ void cast_at(Record& record) {
     const Mesh mesh = ground(dice, dice.whole(1, 6), unit);
     const Surface surface(mesh);
     for (int i = 0; i < casts; ++i, record.next()) record.add(sweep(ball_at(dice, mesh, unit), surface));
+  }
+}
+
+/// Casts of points, and whether balls and points overlap the surface.
+template <class Surface>
+void points_and_overlaps(Record& record) {
+  Dice dice(14);
+  for (int scene = 0; scene < scenes; ++scene) {
+    const double unit = dice.scale();
+    const Mesh mesh = ground(dice, dice.whole(1, 6), unit);
+    const Surface surface(mesh);
+    for (int i = 0; i < casts / 2; ++i, record.next()) {
+      const Moving<Sphere> mover = ball_at(dice, mesh, unit);
+      record.add(sweep(Moving<Point>{mover.shape.center, mover.displacement}, surface));
+      record.add(overlap(mover.shape, surface));
+      record.add(overlap(Point(0.5 * mesh.triangle(0).a + 0.5 * mesh.triangle(0).b), surface));
+    }
   }
 }
 
@@ -118,8 +136,12 @@ void slides(Record& record) {
 
 std::vector<Verb> surface_verbs() {
   return {{"sweep sphere environment", cast_at<Environment>},
+          {"sweep sphere plain tree", cast_at<PlainBvh>},
           {"sweep sphere fast tree", cast_at<Bvh>},
           {"sweep spheres in turns", casts_in_turns},
+          {"point environment", points_and_overlaps<Environment>},
+          {"point plain tree", points_and_overlaps<PlainBvh>},
+          {"point fast tree", points_and_overlaps<Bvh>},
           {"ask soup brute force", ask_soup<BruteForce>},
           {"ask soup octree", ask_soup<Octree>},
           {"ask soup BSP tree", ask_soup<BspTree>},

@@ -66,8 +66,8 @@ TEST_CASE("No function is longer than forty lines, and half of the library's hav
   CHECK(*middle <= middle_of_library);
 }
 
-TEST_CASE("No file of the library and of the chapters is longer than three hundred lines") {
-  for (const char* folder : {"common", "chapters"})
+TEST_CASE("No file of the library, of the chapters and of the tests is longer than three hundred lines") {
+  for (const char* folder : {"common", "chapters", "tests"})
     for (const fs::path& file : code_in(folder)) {
       const std::string text = text_of(file);
       CAPTURE(file.string());

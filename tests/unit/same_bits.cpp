@@ -1,12 +1,10 @@
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
 #include <vector>
 
+#include "anywhere.hpp"
 #include "catch.hpp"
-#include "digest/record.hpp"
 #include "digest/shapes.hpp"
 #include "first_contact/batch/batch.hpp"
 #include "first_contact/bvh/bvh.hpp"
@@ -16,59 +14,23 @@
 #include "first_contact/response/impact.hpp"
 #include "first_contact/response/slide.hpp"
 #include "first_contact/stage/hit_test.hpp"
+#include "first_contact/sweep/box_box.hpp"
+#include "first_contact/sweep/box_mesh.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
+#include "first_contact/sweep/sphere_box.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
 #include "first_contact/sweep/turning_mesh.hpp"
+#include "first_contact/trees/plain_bvh.hpp"
 
 using namespace first_contact;
-using digest::Dice, digest::Record;
+using namespace anywhere;
+using digest::Dice;
 
 namespace {
-
-// A copy of a thing that begins so many bytes after a multiple of 64.
-template <class Thing>
-class Placed {
- public:
-  Placed(const Thing& thing, std::size_t offset) : thing_(new (room_ + offset) Thing(thing)) {}
-  ~Placed() { thing_->~Thing(); }
-  Placed(const Placed&) = delete;
-  Placed& operator=(const Placed&) = delete;
-
-  const Thing& operator*() const { return *thing_; }
-
- private:
-  alignas(64) std::byte room_[64 + sizeof(Thing)];
-  Thing* thing_;
-};
-
-constexpr std::size_t step = alignof(double);  // no thing can begin elsewhere
-
-// What `ask` records of the things, each of them moved to that offset.
-template <class Ask>
-std::uint64_t answers_at(std::size_t, const Ask& ask) {
-  Record record(false);
-  ask(record);
-  return record.hash();
-}
-template <class Ask, class First, class... Rest>
-std::uint64_t answers_at(std::size_t offset, const Ask& ask, const First& first, const Rest&... rest) {
-  const Placed<First> placed(first, offset);
-  return answers_at(
-      offset, [&](Record& record, const auto&... others) { ask(record, *placed, others...); }, rest...);
-}
-
-// Is what `ask` records the same wherever the things begin?
-template <class Ask, class... Things>
-bool same_everywhere(const Ask& ask, const Things&... things) {
-  const std::uint64_t expected = answers_at(0, ask, things...);
-  for (std::size_t offset = step; offset < 64; offset += step)
-    if (answers_at(offset, ask, things...) != expected) return false;
-  return true;
-}
 
 // The first contact, and what of it can be asked.
 const auto swept = [](Record& record, const auto& mover, const auto& obstacle) {
@@ -80,22 +42,20 @@ const auto slid = [](Record& record, const auto& mover, const auto& obstacle) {
   for (const Contact& contact : path.contacts) record.add(contact);
 };
 
-// The same mesh after so many vertices that no face uses: all vertices are moved by 24 bytes each.
-Mesh moved_in_memory(const Mesh& mesh, std::uint32_t unused) {
-  std::vector<Point> vertices(unused, Point::Zero());
-  vertices.insert(vertices.end(), mesh.vertices().begin(), mesh.vertices().end());
-  std::vector<Mesh::Face> faces = mesh.faces();
-  for (Mesh::Face& face : faces)
-    for (std::uint32_t& vertex : face) vertex += unused;
-  return {std::move(vertices), std::move(faces)};
-}
-
 template <class Surface>
 std::uint64_t casts(const Mesh& mesh, std::uint64_t seed) {
   Dice dice(seed);
   const Surface surface(mesh);
   Record record(false);
   for (int i = 0; i < 20; ++i) record.add(sweep(digest::ball(dice, 1), surface));
+  return record.hash();
+}
+
+std::uint64_t box_casts(const Mesh& mesh, std::uint64_t seed) {
+  Dice dice(seed);
+  const Environment surface(mesh);
+  Record record(false);
+  for (int i = 0; i < 5; ++i) record.add(sweep(Moving<Box>{digest::box(dice, 1), dice.vector()}, surface));
   return record.hash();
 }
 
@@ -120,13 +80,19 @@ TEST_CASE("A first contact is the same wherever the shapes lie in memory") {
     const Plane plane = digest::plane(dice, 1);
     const Triangle triangle = digest::triangle(dice, 1);
     const Moving<Box> box{digest::box(dice, 1), dice.vector()};
+    const Box solid = digest::box(dice, 1);
     CAPTURE(i);
     CHECK(same_everywhere(swept, ball, plane));
     CHECK(same_everywhere(swept, ball, other));
     CHECK(same_everywhere(swept, ball, other.shape));
     CHECK(same_everywhere(swept, ball, triangle));
     CHECK(same_everywhere(swept, Moving<Point>{ball.shape.center, ball.displacement}, triangle));
+    CHECK(same_everywhere(swept, ball, solid));
+    CHECK(same_everywhere(swept, Moving<Point>{ball.shape.center, ball.displacement}, solid));
     CHECK(same_everywhere(swept, box, plane));
+    CHECK(same_everywhere(swept, box, other.shape));
+    CHECK(same_everywhere(swept, box, solid));
+    CHECK(same_everywhere(swept, box, triangle));
     CHECK(same_everywhere(slid, ball, plane));
     CHECK(same_everywhere(slid, ball, triangle));
   }
@@ -140,6 +106,8 @@ TEST_CASE("A first contact with a surface is the same wherever its vertices lie 
       CAPTURE(i, unused);
       CHECK(casts<Environment>(moved_in_memory(mesh, unused), i) == casts<Environment>(mesh, i));
       CHECK(casts<Bvh>(moved_in_memory(mesh, unused), i) == casts<Environment>(mesh, i));
+      CHECK(casts<PlainBvh>(moved_in_memory(mesh, unused), i) == casts<Environment>(mesh, i));
+      CHECK(box_casts(moved_in_memory(mesh, unused), i) == box_casts(mesh, i));
     }
   }
 }

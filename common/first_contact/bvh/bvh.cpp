@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "first_contact/bvh/cast/overlap.hpp"
 #include "first_contact/bvh/cast/parts.hpp"
 #include "first_contact/bvh/cast/turns.hpp"
 #include "first_contact/geometry/refuse.hpp"
@@ -27,6 +28,8 @@ std::size_t Bvh::bytes() const {
   return p.packed.nodes.size() * sizeof(bvh::Node) + p.packed.leaves.size() * sizeof(bvh::LeafUnit) +
          p.leaves_at.bytes();
 }
+
+bool overlap(const Sphere& sphere, const Bvh& bvh) { return bvh::overlap(sphere, bvh.parts()); }
 
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const Bvh& bvh) {
   return sweep(moving, bvh.parts(), bvh.parts().walker);

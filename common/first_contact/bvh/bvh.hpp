@@ -51,6 +51,9 @@ class Bvh {
   std::unique_ptr<const bvh::Parts> parts_;
 };
 
+/// Do the sphere and the surface share a point? As overlap(sphere, Environment) says it, by the tree.
+bool overlap(const Sphere& sphere, const Bvh& bvh);
+
 /// First contact of a moving sphere with a mesh, as sweep(moving, Environment) finds it: the same time,
 /// point, normal, feature and triangle, to the last bit, whatever the tree and the machine's instruction set.
 ///

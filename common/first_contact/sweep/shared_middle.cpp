@@ -18,11 +18,19 @@ Point mean(const Polygon& points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// Grows with the angle of (x, y), from -2 to 2: what atan2 tells, by a sum and a quotient alone, which every machine
+/// rounds alike.
+double turned(double x, double y) {
+  const double size = std::abs(x) + std::abs(y);
+  const double part = size > 0 ? y / size : 0;
+  return x >= 0 ? part : std::copysign(2, y) - part;
+}
+
 /// In order around their middle, anticlockwise as seen from the tip of the normal.
 Polygon around(Polygon corners, const Vector& normal) {
   const Point middle = mean(corners);
   const Vector u = normal.unitOrthogonal(), v = normal.cross(u);
-  const auto angle = [&](const Point& p) { return std::atan2(dot(v, p - middle), dot(u, p - middle)); };
+  const auto angle = [&](const Point& p) { return turned(dot(u, p - middle), dot(v, p - middle)); };
   std::sort(corners.begin(), corners.end(),
             [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
   return corners;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "first_contact/geometry/unit_scale.hpp"
 #include "first_contact/sweep/known_environment.hpp"
+#include "first_contact/sweep/sphere_triangle.hpp"
 
 namespace first_contact {
 
@@ -13,6 +15,13 @@ namespace {
 /// What the tests of triangles and of boxes round, in terms of all lengths in play:
 /// \see rounding_of_distance
 constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+
+/// May the sphere touch what is in the box?
+bool reaches(const Sphere& sphere, const Bounds& box) {
+  const auto& [center, radius] = sphere;
+  const Point nearest = center.cwiseMax(box.min()).cwiseMin(box.max());
+  return within(center - nearest, radius + rounding * (largest(center) + largest_coordinate(box) + radius));
+}
 
 }  // namespace
 
@@ -39,6 +48,20 @@ double PlainBvh::Path::entry(const Bounds& box, double latest) const {
   return enter <= leave ? enter : std::numeric_limits<double>::infinity();
 }
 //! [entry_plain_bvh]
+
+bool overlap(const Sphere& sphere, const PlainBvh& tree) {
+  std::vector<std::size_t> waiting;
+  if (tree.mesh().size() > 0) waiting.push_back(0);
+  while (!waiting.empty()) {
+    const BoxTreeNode& node = tree.tree().node(waiting.back());
+    waiting.pop_back();
+    if (!reaches(sphere, node.bounds)) continue;
+    for (std::uint32_t i = node.begin; node.is_leaf() && i < node.end; ++i)
+      if (overlap(sphere, tree.mesh().triangle(tree.tree().order()[i]))) return true;
+    if (!node.is_leaf()) waiting.insert(waiting.end(), {node.first_child, node.first_child + 1});
+  }
+  return false;
+}
 
 //! [sweep_plain_bvh]
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const PlainBvh& tree) {

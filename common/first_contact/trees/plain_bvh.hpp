@@ -43,6 +43,9 @@ class PlainBvh {
   BoxTree tree_;
 };
 
+/// Do the sphere and the surface share a point? As overlap(sphere, Environment) says it.
+bool overlap(const Sphere& sphere, const PlainBvh& tree);
+
 /// First contact of a moving sphere with a mesh, as sweep(moving, Environment) finds it, to the last bit.
 std::optional<Contact> sweep(const Moving<Sphere>& moving, const PlainBvh& tree);
 
