@@ -1,0 +1,3 @@
+#include "task.hpp"
+
+Vector slide_along(Vector w, Vector N) { return w - std::min(0.0, dot(w, N)) / dot(N, N) * N; }
