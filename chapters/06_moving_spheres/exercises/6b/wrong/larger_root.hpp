@@ -1,0 +1,13 @@
+// Looks like: the larger root: that is when they part.
+// Ask: plus or minus?
+#include "task.hpp"
+
+std::optional<float> meet(const Float3& w, const Float3& u, float d) {
+  const float uu = dot(u, u), wu = dot(w, u);
+  const Float3 c = cross(w, u);
+  const float under = uu * d * d - dot(c, c);
+  if (wu >= 0 || under < 0) return {};
+  const float t = (-wu + std::sqrt(under)) / uu;
+  if (t > 1) return {};
+  return t;
+}
