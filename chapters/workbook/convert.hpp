@@ -81,7 +81,7 @@ template <class T>
 Value to_value(const T& object) {
   if constexpr (std::is_same_v<T, bool>) {
     return {Value::Kind::truth, object ? 1.0 : 0.0, {}};
-  } else if constexpr (std::is_integral_v<T>) {
+  } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
     return {Value::Kind::whole, static_cast<double>(object), {}};
   } else if constexpr (std::is_floating_point_v<T>) {
     return {Value::Kind::number, static_cast<double>(object), {}};
@@ -112,7 +112,7 @@ void from_value(const Value& value, T& object) {
     std::size_t i = 0;
     (from_value(value.parts.at(i++), part), ...);
   };
-  if constexpr (std::is_arithmetic_v<T>) {
+  if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
     object = static_cast<T>(value.number);
   } else if constexpr (members::is_optional<T>) {
     object.reset();

@@ -1,0 +1,8 @@
+#include "task.hpp"
+
+Vector2 bezier(const std::vector<Vector2>& points, double t) {
+  auto left = points;
+  for (; left.size() > 1; left.pop_back())
+    for (std::size_t i = 0; i + 1 < left.size(); ++i) left[i] = (1 - t) * left[i] + t * left[i + 1];
+  return left[0];
+}

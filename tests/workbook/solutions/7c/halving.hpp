@@ -1,0 +1,11 @@
+#include "task.hpp"
+
+std::optional<double> contact_time(double from, double to, double r, Easing easing) {
+  if (to > r) return {};
+  double before = 0, after = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (before + after) / 2;
+    (from + ease(easing, middle) * (to - from) > r ? before : after) = middle;
+  }
+  return after;
+}
