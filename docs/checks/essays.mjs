@@ -1,8 +1,8 @@
 // Every chapter has its essay, in the one order: the question, a figure, mathematics, code, output, what goes wrong, as
-// printed and corrected, cost, exercises with folded answers, further reading.
+// printed and corrected, cost, exercises with folded answers, further reading; and links what a student is to write.
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {build, chapters, complain, fromRoot, read} from '../tools/book.mjs';
+import {build, chapters, complain, exercises, fromRoot, read} from '../tools/book.mjs';
 
 const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises', 'Further reading'];
 
@@ -27,9 +27,17 @@ function checkEssay(chapter) {
   if (exercises !== answers) complain(name, `${exercises} exercises, but ${answers} folded answers`);
 }
 
+// Each exercise of the workbook is linked where its idea is fresh, in its own chapter.
+function checkExercises(chapter) {
+  const text = read(chapter.source), own = exercises.filter(({name}) => parseInt(name) === chapter.number);
+  if (own.length < 3) complain(fromRoot(chapter.source), `${own.length} exercises to write: there should be three at the least`);
+  for (const {name} of own)
+    if (!text.includes(`](exercises/${name}/task.md)`)) complain(fromRoot(chapter.source), `exercise ${name} is not linked`);
+}
+
 export function checkEssays() {
   for (const chapter of chapters) {
-    if (existsSync(chapter.source)) checkEssay(chapter);
+    if (existsSync(chapter.source)) checkEssay(chapter), checkExercises(chapter);
     else complain(fromRoot(chapter.source), 'is missing');
   }
   const typed = JSON.parse(readFileSync(join(build, 'shown.json'), 'utf8')).typed;

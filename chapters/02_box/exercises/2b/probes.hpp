@@ -34,7 +34,7 @@ inline std::tuple<Box, Vector> turned(const std::tuple<Box, Vector>& scene, doub
   return {{box.Q, turned(box.R, z, x), turned(box.S, z, x), turned(box.T, z, x)}, turned(N, z, x)};
 }
 
-inline Exercise<Signature> exercise() {
+inline std::vector<Exercise<Signature>::Chosen> chosen() {
   const Vector up{0, 0, 1};
   const double half_degree = 0.5 * std::acos(-1.0) / 180;
   const std::tuple flat{Box{{0, 0, 0.5}, {4, 0, 0}, {0, 2, 0}, {0, 0, 1}}, up};
@@ -44,10 +44,7 @@ inline Exercise<Signature> exercise() {
                    turned({4, 0, 0}, 0, half_degree),
                    turned({0, 2, 0}, 0, half_degree),
                    turned({0, 0, 1}, 0, half_degree)};
-  Exercise<Signature> probes;
-  probes.asked = "the lowest vertices along N: one, two or four, in any order";
-  probes.names = {"box", "N"};
-  probes.chosen = {
+  std::vector<Exercise<Signature>::Chosen> list{
       {"on a corner: one point", on_corner},
       {"on an edge: two points", on_edge},
       {"flat: four points", flat},
@@ -59,11 +56,19 @@ inline Exercise<Signature> exercise() {
        turned(std::tuple{Box{{0, 0, 500}, {4000, 0, 0}, {0, 2000, 0}, {0, 0, 1000}}, up}, 0.7, 1.1)},
   };
   for (int i = 1; i <= 6; ++i) {
-    probes.chosen.push_back(
+    list.push_back(
         {"flat, and turned together with its floor: still four points", turned(flat, 0.7 * i, 1.1 * i)});
-    probes.chosen.push_back({"on an edge, and turned together with its floor: still two points",
-                             turned(on_edge, 0.9 * i, 0.4 * i)});
+    list.push_back({"on an edge, and turned together with its floor: still two points",
+                    turned(on_edge, 0.9 * i, 0.4 * i)});
   }
+  return list;
+}
+
+inline Exercise<Signature> exercise() {
+  Exercise<Signature> probes;
+  probes.asked = "the lowest vertices along N: one, two or four, in any order";
+  probes.names = {"box", "N"};
+  probes.chosen = chosen();
   probes.random = [](Chance& chance) {
     const Box axes{
         {}, {chance.number(0.25, 4), 0, 0}, {0, chance.number(0.25, 4), 0}, {0, 0, chance.number(0.25, 4)}};

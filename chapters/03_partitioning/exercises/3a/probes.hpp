@@ -26,12 +26,9 @@ inline std::optional<Stay> judge(const Bounds& box, Point S0, Vector V) {
   return stay;
 }
 
-inline Exercise<Signature> exercise() {
+inline std::vector<Exercise<Signature>::Chosen> chosen() {
   const Bounds cube{{0, 0, 0}, {1, 1, 1}};
-  Exercise<Signature> probes;
-  probes.asked = "from when to when, within [0, 1], the path is in the box; or nothing";
-  probes.names = {"box", "S0", "V"};
-  probes.chosen = {
+  return {
       {"along x, through the middle", {cube, {-1, 0.5, 0.5}, {4, 0, 0}}},
       {"the same way back", {cube, {3, 0.5, 0.5}, {-4, 0, 0}}},
       {"across", {cube, {-1, -2, 0.25}, {4, 8, 1}}},
@@ -49,6 +46,13 @@ inline Exercise<Signature> exercise() {
       {"no motion, outside", {cube, {2, 0.5, 0.5}, {0, 0, 0}}},
       {"a box elsewhere", {{{4, -3, 2}, {6, -1, 5}}, {0, -2, 3}, {10, 0, 0}}},
   };
+}
+
+inline Exercise<Signature> exercise() {
+  Exercise<Signature> probes;
+  probes.asked = "from when to when, within [0, 1], the path is in the box; or nothing";
+  probes.names = {"box", "S0", "V"};
+  probes.chosen = chosen();
   probes.random = [](Chance& chance) {
     const Point corner = chance.vector(3);
     Vector V = chance.vector(12);

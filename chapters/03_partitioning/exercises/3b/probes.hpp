@@ -44,15 +44,13 @@ inline std::tuple<std::vector<Node>, std::vector<Bounds>> scene(const std::vecto
   return {tree, things};
 }
 
-inline Exercise<Signature> exercise() {
-  const auto cube = [](Point Q, double size) {
-    const Vector half = size / 2 * Vector{1, 1, 1};
-    return Bounds{Q - half, Q + half};
-  };
-  Exercise<Signature> probes;
-  probes.asked = "all pairs of things whose boxes overlap, each once, the smaller number first";
-  probes.names = {"tree", "things"};
-  probes.chosen = {
+inline Bounds cube(Point Q, double size) {
+  const Vector half = size / 2 * Vector{1, 1, 1};
+  return Bounds{Q - half, Q + half};
+}
+
+inline std::vector<Exercise<Signature>::Chosen> chosen() {
+  return {
       {"nothing overlaps, but two share a leaf", scene({cube({1, 1, 1}, 1), cube({3, 3, 3}, 1)})},
       {"two overlap in one leaf", scene({cube({1, 1, 1}, 2), cube({2, 2, 2}, 2)})},
       {"two overlap in the last of the leaves",
@@ -66,7 +64,14 @@ inline Exercise<Signature> exercise() {
        scene({cube({5, 5, 5}, 2), cube({-5, -5, -5}, 2), cube({-6, -5, -5}, 2), cube({6, 5, 5}, 2)})},
       {"no things at all", scene({})},
   };
-  probes.random = [cube](Chance& chance) {
+}
+
+inline Exercise<Signature> exercise() {
+  Exercise<Signature> probes;
+  probes.asked = "all pairs of things whose boxes overlap, each once, the smaller number first";
+  probes.names = {"tree", "things"};
+  probes.chosen = chosen();
+  probes.random = [](Chance& chance) {
     std::vector<Bounds> things;
     for (std::size_t n = 3 + chance.below(12); n > 0; --n)
       things.push_back(cube(chance.vector(6), chance.number(0.5, 5)));

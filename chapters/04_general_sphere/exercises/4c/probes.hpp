@@ -37,13 +37,10 @@ inline std::optional<double> judge(const std::vector<Triangle>& soup, Point S0, 
   return first;
 }
 
-inline Exercise<Signature> exercise() {
+inline std::vector<Exercise<Signature>::Chosen> chosen() {
   const Triangle floor{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}}, step{{-4, -4, 1}, {4, -4, 1}, {0, 4, 1}};
   const Triangle blade{{0, 1, 1}, {-1, 1, -3}, {1, 1, -3}}, ridge{{-3, 0, 1}, {3, 0, 1}, {0, 0, -3}};
-  Exercise<Signature> probes;
-  probes.asked = "the first t in [0, 1] at which the ball touches any triangle: its face, an edge, a vertex";
-  probes.names = {"soup", "S0", "V", "r"};
-  probes.chosen = {
+  return {
       {"a face from above", {{floor}, {0, -1, 3}, {0, 0, -4}, 0.5}},
       {"an edge from above: the ridge of a blade", {{ridge}, {0.25, 0, 3}, {0, 0, -4}, 0.5}},
       {"an edge beside the ball's path", {{ridge}, {0.25, 0.25, 3}, {0, 0, -4}, 0.5}},
@@ -67,6 +64,13 @@ inline Exercise<Signature> exercise() {
       {"no triangle at all", {{}, {0, 0, 3}, {0, 0, -4}, 0.5}},
       {"a motion that ends too early", {{floor}, {0, -1, 3}, {0, 0, -1}, 0.5}},
   };
+}
+
+inline Exercise<Signature> exercise() {
+  Exercise<Signature> probes;
+  probes.asked = "the first t in [0, 1] at which the ball touches any triangle: its face, an edge, a vertex";
+  probes.names = {"soup", "S0", "V", "r"};
+  probes.chosen = chosen();
   probes.random = [](Chance& chance) {
     std::vector<Triangle> soup;
     for (std::size_t n = 1 + chance.below(4); n > 0; --n) {

@@ -16,11 +16,8 @@ inline std::optional<double> judge(Point P, Vector Vp, Point Q, Vector Vq, doubl
   return from + static_cast<double>(t);
 }
 
-inline Exercise<Signature> exercise() {
-  Exercise<Signature> probes;
-  probes.asked = "the first contact of the two balls between `from` and `to`, or nothing";
-  probes.names = {"P", "Vp", "Q", "Vq", "d", "from", "to"};
-  probes.chosen = {
+inline std::vector<Exercise<Signature>::Chosen> chosen() {
+  return {
       {"one moves, one rests", {{-4, 0, 0}, {4, 0, 0}, {0, 0, 0}, {0, 0, 0}, 2, 0, 1}},
       {"both move", {{-4, 0, 0}, {2, 0, 0}, {4, 0, 0}, {-6, 0, 0}, 2, 0, 1}},
       {"the second alone moves", {{0, 0, 0}, {0, 0, 0}, {4, 0, 0}, {-4, 0, 0}, 2, 0, 1}},
@@ -44,6 +41,13 @@ inline Exercise<Signature> exercise() {
       {"they overlap and part", {{-1, 0, 0}, {-1, 0, 0}, {0, 0, 0}, {0, 0, 0}, 2, 0, 1}},
       {"they overlap and move alike", {{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, 2, 0, 1}},
   };
+}
+
+inline Exercise<Signature> exercise() {
+  Exercise<Signature> probes;
+  probes.asked = "the first contact of the two balls between `from` and `to`, or nothing";
+  probes.names = {"P", "Vp", "Q", "Vq", "d", "from", "to"};
+  probes.chosen = chosen();
   probes.random = [](Chance& chance) {
     const double from = chance.number(-3, 3);
     return std::tuple{chance.vector(5),

@@ -30,12 +30,10 @@ inline std::vector<Impact> judge(std::vector<Disc> discs, double until) {
   return list;
 }
 
-inline Exercise<Signature> exercise() {
-  using Discs = std::vector<Disc>;
-  Exercise<Signature> probes;
-  probes.asked = "all impacts up to `until`: (time, first, second), in the order of time";
-  probes.names = {"discs", "until"};
-  probes.chosen = {
+using Discs = std::vector<Disc>;
+
+inline std::vector<Exercise<Signature>::Chosen> chosen() {
+  return {
       {"one impact", {Discs{{{-3, 0}, {1, 0}, 1}, {{3, 0}, {0, 0}, 1}}, 10}},
       {"none in time", {Discs{{{-3, 0}, {1, 0}, 1}, {{3, 0}, {0, 0}, 1}}, 2}},
       {"three in a row: the push goes on",
@@ -51,6 +49,13 @@ inline Exercise<Signature> exercise() {
       {"nobody", {Discs{}, 10}},
       {"one alone", {Discs{{{0, 0}, {1, 1}, 1}}, 10}},
   };
+}
+
+inline Exercise<Signature> exercise() {
+  Exercise<Signature> probes;
+  probes.asked = "all impacts up to `until`: (time, first, second), in the order of time";
+  probes.names = {"discs", "until"};
+  probes.chosen = chosen();
   probes.random = [](Chance& chance) {
     Discs discs;
     for (std::size_t n = 2 + chance.below(4); n > 0; --n) {
