@@ -40,8 +40,9 @@ inline Exercise<Signature> exercise() {
                       chance.number(0.25, 2)};
   };
   probes.allowed = [](const auto& input) {
-    const auto& [a, b, S0, V, r] = input;
-    return r > 0.01 && norm(b - a) > 0.1 && norm(cross(b - a, S0 - a)) > 1.001 * r * norm(b - a);
+    const auto& [begin, end, S0, V, r] = input;
+    const Vector e = end - begin;
+    return r > 0.01 && norm(e) > 0.1 && norm(cross(e, S0 - begin)) > 1.001 * r * norm(e);
   };
   probes.judge = judge;
   probes.along = {"y of S0", -3, 5, [](auto& input, double at) { std::get<2>(input).y = at; }};
