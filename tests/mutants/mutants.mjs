@@ -166,6 +166,8 @@ await work(Math.min(asked.jobs, mutants.length), mutants, (mutant, fate) => {
   counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
   if (reason) ++excused;
   else if (fate === 'survives') survivors.push(mutant);
+  const done = [...counts.values()].reduce((a, b) => a + b);
+  if (done % 20 === 0) console.error(`  ${done} of ${mutants.length}`);
   if (fate === 'survives') console.log(`${verdict}: ${mutant.file}:${mutant.number}: ${marked(mutant)}${reason ? ` (${reason})` : ''}`);
 });
 const judged = mutants.length - (counts.get('compiler') ?? 0) - excused;
