@@ -76,7 +76,8 @@ draw_figures() {
   figure_options "$@"
   require course
   if [[ "$into" == figures ]]; then writable build figures figures/*/; else writable build "$into"; fi
-  local wanted=$(printf '%s\n' ${names:-$(chapters)} | sed 's,/.*,,' | sort -u)
+  local wanted
+  wanted=$(printf '%s\n' ${names:-$(chapters)} | sed 's,/.*,,' | sort -u)
   say "Building ..."
   make dev $(printf '%s\n' $wanted | sed 's/^[0-9]*_//')
   say "Drawing ..."

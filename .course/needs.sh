@@ -9,6 +9,7 @@ system_at_hand() {
     MINGW* | MSYS* | CYGWIN*) echo msys2; return ;;
   esac
   local names=""
+  # shellcheck source=/dev/null
   [[ ! -r "$os_release" ]] || names=$(. "$os_release" && echo "${ID:-} ${ID_LIKE:-}")
   case " $names " in
     *" debian "* | *" ubuntu "*) echo debian ;;
@@ -32,7 +33,7 @@ packages() {
     "debian everywhere") echo clang lld g++-aarch64-linux-gnu qemu-user-static wasi-libc libc++-dev-wasm32 \
         libclang-rt-dev-wasm32 ;;
     "debian fuzz") echo clang ;;
-    "debian format") echo git clang-format clang-tidy ;;
+    "debian format") echo git clang-format clang-tidy shellcheck ;;
     "fedora course") echo gcc-c++ cmake ninja-build eigen3-devel highway-devel boost-devel cli11-devel json-devel catch-devel gnuplot \
         dejavu-serif-fonts dejavu-sans-fonts google-noto-sans-cjk-fonts ;;
     "fedora notes") echo doxygen nodejs npm chromium ;;
@@ -146,17 +147,27 @@ ask_administrator() {
   exit 1
 }
 
-# What the notes are made and checked with; a Node.js that is there already will do, whoever installed it.
+# A Node.js that is there already will do, whoever installed it.
+node_if_missing() { { command -v node && command -v npm; } >/dev/null || echo node; }
+
+# What the notes are made and checked with.
 require_notes() {
-  local node=node
-  ! { command -v node && command -v npm; } >/dev/null || node=""
-  require course notes $node "$@"
-  cmp -s docs/package-lock.json docs/node_modules/installed-lock.json && return
+  require course notes $(node_if_missing) "$@"
+  has_packages || install_packages --omit=dev
+}
+has_packages() { cmp -s docs/package-lock.json docs/node_modules/installed-lock.json; }
+install_packages() {
   writable docs
   alone
   say "Installing the notes' packages ..."
-  npm ci --prefix docs --prefer-offline --no-audit --no-fund --loglevel=error >&2
+  npm ci --prefix docs "$@" --prefer-offline --no-audit --no-fund --loglevel=error >&2
   cp docs/package-lock.json docs/node_modules/installed-lock.json
+}
+
+# ESLint is of no use to who only reads the notes.
+require_for_format() {
+  require course format $(node_if_missing)
+  has_packages && [[ -x docs/node_modules/.bin/eslint ]] || install_packages
 }
 
 # The tests check the notes as well, where what makes them is there.

@@ -60,7 +60,7 @@ write_catalogue() {
 
 # The judge of an exercise, with the known answers in these files: build_judge ID NAME FILE...
 build_judge() {
-  local folder place=$made/$1 program=$made/$1/$2
+  local folder program=$made/$1/$2
   folder=$(folder_of "$1")
   shift 2
   is_newer "$program" "$made"/*.o chapters/workbook/judge.cpp "$folder"/{task,probes}.hpp "$@" && return

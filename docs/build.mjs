@@ -27,7 +27,8 @@ for (const chapter of chapters) {
                                          : weave({...rest, source: chapter.source});
   writeFileSync(join(pages, chapter.id + '.md'), text);
 }
-const generated = {map: chapterMap(), chapters: chapterList(), exercises: exerciseList(), bibliography: bibliography(), 'paper-map': paperTable(), errata: errataTable(),
+const generated = {map: chapterMap(), chapters: chapterList(), exercises: exerciseList(), bibliography: bibliography(),
+                   'paper-map': paperTable(), errata: errataTable(),
                    library: libraryTable((words) => prose(words, 'library.md'))};
 for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated}));
 stopIfWrong('weaving the pages');

@@ -8,7 +8,8 @@ import {checkPaper} from './checks/paper.mjs';
 import {checkTwice} from './checks/twice.mjs';
 import {complaints, stopIfWrong} from './tools/book.mjs';
 
-const all = {twice: checkTwice, essays: checkEssays, code: checkCode, paper: checkPaper, links: checkLinks, browser: checkBrowser};
+const all = {twice: checkTwice, essays: checkEssays, code: checkCode, paper: checkPaper, links: checkLinks,
+             browser: checkBrowser};
 const wanted = process.argv.slice(2);
 for (const name of wanted)
   if (!all[name]) {

@@ -94,7 +94,8 @@ function pagesOf(file) {
 }
 
 const book = join(build, 'book.html'), pdf = join(build, 'first-contact.pdf');
-const browser = await chromium.launch({executablePath: executable(), args: ['--no-sandbox', '--disable-gpu', '--export-tagged-pdf']});
+const flags = ['--no-sandbox', '--disable-gpu', '--export-tagged-pdf'];
+const browser = await chromium.launch({executablePath: executable(), args: flags});
 
 // A drawing or a link that refers to what is not there is printed as nothing, and nobody is told.
 function checkReferences(text) {

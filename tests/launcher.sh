@@ -2,7 +2,7 @@
 # The launcher, without building anything: what it refuses, what it advises on each system, that it works alone, that a
 # moved build is noticed.   bash tests/launcher.sh ROOT
 set -uo pipefail
-cd "$1"
+cd "$1" || exit
 failed=0 passed=0
 
 check() {  # NAME, then a command that must succeed
@@ -74,7 +74,7 @@ check "no formula is left in a caption" silent_of "$(captions)" "\\"
 elsewhere=$(mktemp -d)
 trap 'rm -rf "$elsewhere"' EXIT
 cp -R .course "$elsewhere/"
-cd "$elsewhere"
+cd "$elsewhere" || exit
 root=$PWD
 unset FIRST_CONTACT_ALONE
 mkdir -p build/dev build/at-work

@@ -1,5 +1,6 @@
 // Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
-// console, no formula in error, nothing wider than its page, text and figures' letters with enough contrast (WCAG AA); and by the keyboard alone.
+// console, no formula in error, nothing wider than its page, text and figures' letters with enough contrast (WCAG AA);
+// and by the keyboard alone.
 import {existsSync} from 'node:fs';
 import {basename, delimiter, join} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -16,8 +17,8 @@ const views = [['light', 1280, 900], ['dark', 1280, 900], ['light', 390, 800]];
 const keyboard = new Set(['index.html', 'plane.html', 'tween-bounce.html', 'library-motion.html']);  // one of each kind
 const isOurs = (file) => file.endsWith('.html') && !file.includes('/search/');
 
-// Runs in the page.
-function faultsOfPage(wholeBook) {
+// These run in the page, each by itself.
+function faultsOfParts(wholeBook) {
   const faults = [];
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   if (wholeBook && wide > 1) faults.push(`the page is ${wide} pixels too wide`);
@@ -25,10 +26,15 @@ function faultsOfPage(wholeBook) {
     if (part.offsetParent && part.scrollWidth > part.clientWidth + 1) faults.push(`code must be scrolled: ${part.textContent.trim().slice(0, 40)}`);
   if (document.querySelector('[data-mml-node="merror"], mjx-merror, merror')) faults.push('a formula is in error');
   for (const image of document.querySelectorAll('figure > svg'))
-    if (image.getAttribute('role') !== 'img' || !image.getAttribute('aria-label')) faults.push('a figure without alternative text');
+    if (image.getAttribute('role') !== 'img' || !image.getAttribute('aria-label'))
+      faults.push('a figure without alternative text');
   if (document.querySelectorAll('main').length !== 1 || !document.querySelector('nav')) faults.push('a landmark is missing');
   if (document.querySelectorAll('h1').length !== 1) faults.push(`${document.querySelectorAll('h1').length} titles`);
+  return faults;
+}
 
+function faultsOfContrast() {
+  const faults = [], seen = new Set();
   const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
   const rgba = (colour) => {
     canvas.clearRect(0, 0, 1, 1);
@@ -36,8 +42,8 @@ function faultsOfPage(wholeBook) {
     canvas.fillRect(0, 0, 1, 1);
     return [...canvas.getImageData(0, 0, 1, 1).data];
   };
-  const luminance = ([r, g, b]) => [r, g, b].map((c) => c / 255).map((c) => c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
-      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const linear = (part) => part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  const luminance = ([r, g, b]) => 0.2126 * linear(r / 255) + 0.7152 * linear(g / 255) + 0.0722 * linear(b / 255);
   const behind = (element) => {
     for (let at = element; at; at = at.parentElement) {
       const colour = rgba(getComputedStyle(at).backgroundColor);
@@ -45,25 +51,29 @@ function faultsOfPage(wholeBook) {
     }
     return [255, 255, 255, 255];
   };
-  const seen = new Set();
-  for (const element of document.querySelectorAll('main *, nav#contents *, header.site *')) {
-    if (!element.offsetParent || element.closest('svg') || ![...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())) continue;
-    if (element.closest('mjx-assistive-mml, .skip')) continue;
-    const style = getComputedStyle(element), key = style.color + getComputedStyle(element.parentElement).backgroundColor + element.tagName + element.className;
-    if (seen.has(key)) continue;
+  const check = (colour, element, least, what) => {
+    const key = colour + getComputedStyle(element.parentElement).backgroundColor + what;
+    if (seen.has(key)) return;
     seen.add(key);
-    const [a, b] = [luminance(rgba(style.color)), luminance(behind(element))].sort((x, y) => y - x);
-    const contrast = (a + 0.05) / (b + 0.05), large = parseFloat(style.fontSize) >= 24;
-    if (contrast < (large ? 3 : 4.5)) faults.push(`contrast ${contrast.toFixed(1)}: ${element.tagName.toLowerCase()}.${element.className} "${element.textContent.trim().slice(0, 24)}"`);
-  }
-  for (const text of document.querySelectorAll('figure > svg text')) {  // letters of figures, against the paper
-    const fill = getComputedStyle(text).fill, key = `letters ${fill}`;
-    if (seen.has(key) || fill === 'none') continue;
-    seen.add(key);
-    const [a, b] = [luminance(rgba(fill)), luminance(behind(text.closest('figure')))].sort((x, y) => y - x);
+    const [a, b] = [luminance(rgba(colour)), luminance(behind(element))].sort((x, y) => y - x);
     const contrast = (a + 0.05) / (b + 0.05);
-    if (contrast < 4.5) faults.push(`contrast ${contrast.toFixed(1)}: the figures' letters in ${fill}`);
+    if (contrast < least) faults.push(`contrast ${contrast.toFixed(1)}: ${what} "${element.textContent.trim().slice(0, 24)}"`);
+  };
+  const hasWords = ({childNodes}) => [...childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+  for (const element of document.querySelectorAll('main *, nav#contents *, header.site *')) {
+    if (!element.offsetParent || element.closest('svg, mjx-assistive-mml, .skip') || !hasWords(element)) continue;
+    const style = getComputedStyle(element), least = parseFloat(style.fontSize) >= 24 ? 3 : 4.5;
+    check(style.color, element, least, `${element.localName}.${element.className}`);
   }
+  for (const text of document.querySelectorAll('figure > svg text')) {  // against the paper
+    const {fill} = getComputedStyle(text);
+    if (fill !== 'none') check(fill, text.closest('figure'), 4.5, `the figures' letters in ${fill}`);
+  }
+  return faults;
+}
+
+function faultsOfNames(wholeBook) {
+  const faults = [];
   const name = (element) => element.getAttribute('aria-label') || element.title || element.textContent.trim();
   for (const element of document.querySelectorAll('button, summary, main a[href], nav a[href]'))
     if (!name(element) && !element.querySelector('[aria-label], [title], img[alt]')) faults.push(`${element.localName} without a name: ${element.outerHTML.slice(0, 60)}`);
@@ -84,7 +94,8 @@ async function faultsOfKeyboard(page) {
     document.activeElement?.blur();
     scrollTo(0, 0);
     const shown = (element) => element.checkVisibility({visibilityProperty: true}) && !element.disabled && element.tabIndex >= 0;
-    const all = [...document.querySelectorAll('a[href], button, summary, input')].filter((element) => shown(element) && !element.closest('#MSearchResultsWindow, #MSearchSelectWindow'));
+    const all = [...document.querySelectorAll('a[href], button, summary, input')]
+        .filter((element) => shown(element) && !element.closest('#MSearchResultsWindow, #MSearchSelectWindow'));
     all.forEach((element, i) => { element.dataset.stop = i; });
     return all.length;
   });
@@ -96,8 +107,8 @@ async function faultsOfKeyboard(page) {
       const box = at.getBoundingClientRect();
       return {id: at.dataset.stop, text: at.textContent.trim().slice(0, 30), skip: at.classList.contains('skip'),
               inside: box.right > 0 && box.bottom > 0, where: `${box.left}, ${box.top}`,
-              seen: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 1 || !!inner && getComputedStyle(inner).strokeWidth === '1.8px' ||
-                    at.id === 'MSearchField'};
+              seen: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 1 ||
+                    !!inner && getComputedStyle(inner).strokeWidth === '1.8px' || at.id === 'MSearchField'};
     });
     let stop = await look();
     for (let waited = 0; waited < 10 && !(stop.seen && stop.inside); ++waited) {  // the page may still be laid out
@@ -125,7 +136,8 @@ async function openTab(browser, [colorScheme, width, height]) {
   return async (file, wholeBook) => {
     name = `${basename(file)} (${colorScheme}, ${width})`;
     await page.goto(pathToFileURL(file).href);
-    for (const fault of await page.evaluate(faultsOfPage, wholeBook)) complain(name, fault);
+    for (const faults of [faultsOfParts, faultsOfContrast, faultsOfNames])
+      for (const fault of await page.evaluate(faults, wholeBook)) complain(name, fault);
     if (wholeBook && colorScheme === 'light' && keyboard.has(basename(file))) for (const fault of await faultsOfKeyboard(page)) complain(`${name}, keyboard`, fault);
   };
 }

@@ -5,7 +5,8 @@ import {join} from 'node:path';
 import {build, complain, filesBelow, fromRoot, read, root} from '../tools/book.mjs';
 
 const mostAside = 0.05;  // of all lines
-const teaching = ['geometry', 'mesh_io', 'sweep', 'trees', 'bvh', 'batch', 'pairs', 'response', 'motion', 'stage'].map((folder) => join(root, 'common/first_contact', folder));
+const teaching = ['geometry', 'mesh_io', 'sweep', 'trees', 'bvh', 'batch', 'pairs', 'response', 'motion', 'stage']
+    .map((folder) => join(root, 'common/first_contact', folder));
 // What would give an answer away is read by the judge alone, and tested: tests/CMakeLists.txt, "workbook".
 const givesAway = /\/exercises\/\w+\/(probes\.hpp|wrong\/)/;
 const isCode = (file) => /\.(cpp|hpp|inc)$/.test(file);
@@ -59,11 +60,13 @@ function count(files, isShown) {
 export function checkCode() {
   const shown = JSON.parse(read(build, 'shown.json')).snippets;
   const isShown = (file, line) => shown.some((each) => each.file === file && (!each.tag || line.tags.includes(each.tag)));
-  const ofChapters = filesBelow(join(root, 'chapters'), (file) => isCode(file) && !givesAway.test(file)), ofLibrary = teaching.flatMap((folder) => filesBelow(folder, isCode));
+  const ofChapters = filesBelow(join(root, 'chapters'), (file) => isCode(file) && !givesAway.test(file));
+  const ofLibrary = teaching.flatMap((folder) => filesBelow(folder, isCode));
   const chapters = count(ofChapters, isShown), library = count(ofLibrary, isShown);
   for (const file of ofLibrary)  // what is taught stands in an essay as well, not only on the pages file by file
     for (const tag of new Set(linesOf(file).flatMap(({tags}) => tags)))
-      if (!shown.some((each) => each.file === fromRoot(file) && !each.page.startsWith('library') && (!each.tag || each.tag === tag)))
+      if (!shown.some((each) => each.file === fromRoot(file) && !each.page.startsWith('library') &&
+                               (!each.tag || each.tag === tag)))
         complain(fromRoot(file), `in no chapter: the code of the tag ${tag}`);
   for (const file of [...ofChapters, ...ofLibrary])
     for (const reason of new Set(linesOf(file).map((line) => line.aside).filter(Boolean)))

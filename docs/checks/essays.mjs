@@ -4,7 +4,8 @@ import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {build, chapters, complain, exercises, fromRoot, read} from '../tools/book.mjs';
 
-const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises', 'Further reading'];
+const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises',
+               'Further reading'];
 
 const parts = [
   ['a figure', /^!\[/m], ['a displayed formula', /^\$\$/m], ['code', /^\\snippet /m], ['its output', /^\\output /m],

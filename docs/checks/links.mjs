@@ -12,9 +12,9 @@ const linking = 'a, link, img, script, iframe, source, image, use, object, video
 function seen(file) {
   const page = read(file), tree = treeOf(page), ids = idsOf(tree), targets = targetsOf(tree);
   const links = tree(linking).toArray().flatMap(({name, attribs}) =>
-    ['href', 'xlink:href', 'src', 'data'].filter((each) => attribs[each] !== undefined).map((each) => [name, each, attribs[each]]));
-  return {file, targets, links, unresolved: unresolvedIn(tree, targets), twice: new Set(ids.filter((id, i) => ids.indexOf(id) !== i)),
-          hasToken: /[\uE000-\uF8FF]/.test(page)};
+    ['href', 'xlink:href', 'src', 'data'].filter((each) => each in attribs).map((each) => [name, each, attribs[each]]));
+  return {targets, links, unresolved: unresolvedIn(tree, targets),
+          twice: new Set(ids.filter((id, i) => ids.indexOf(id) !== i)), hasToken: /[\uE000-\uF8FF]/.test(page)};
 }
 
 function checkLink(file, [element, attribute, target], pages) {

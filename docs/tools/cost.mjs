@@ -24,8 +24,8 @@ export function codeOf(file, tag) {
 // What is done each time: the lines of the first loop up to its first question.
 const inLoop = (code) => /\bfor \(.*\{\n([\s\S]*?)\n\s*if /.exec(code)?.[1] ?? '';
 
-/// The words for "KIND: FILE TAG"; of several listings, "KIND: FILE TAG, FILE TAG", the sum. "KIND in loop: ..." counts what is done
-/// each time.
+/// The words for "KIND: FILE TAG"; of several listings, "KIND: FILE TAG, FILE TAG", the sum. "KIND in loop: ..."
+/// counts what is done each time.
 export function cost(body) {
   const [whole, listings = ''] = body.split(/:\s*/), kind = whole.replace(/ in loop$/, '');
   if (!kinds[kind]) throw new Error(`cost ${kind}: must be one of ${Object.keys(kinds).join(', ')}`);

@@ -1,6 +1,6 @@
 // Runs Doxygen over the woven pages and the library's headers; a warning is a fault.
 import {spawnSync} from 'node:child_process';
-import {complain, docs, root} from './book.mjs';
+import {complain, root} from './book.mjs';
 
 // Where its style sheet is: Debian's package, or a copy of one's own.
 const DOXYGEN_AWESOME = process.env.DOXYGEN_AWESOME ?? '/usr/share/doxygen-awesome-css';

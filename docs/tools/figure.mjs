@@ -19,8 +19,8 @@ const intoPage = (alternative) => ({name: 'intoPage', fn: () => ({element: {ente
   if (isDarkStyle(node)) darkRulesOf(node).forEach((rule) => darkRules.add(rule));
   if (isDarkStyle(node) || isPaper(node, parent)) parent.children = parent.children.filter((child) => child !== node);
   if (node.name !== 'svg') return;
-  const {viewBox, width, height, ...rest} = node.attributes;
-  node.attributes = {viewBox, style: `--width:${parseFloat(width)}px`, ...rest, role: 'img', 'aria-label': alternative};
+  const {viewBox, width, xmlns} = node.attributes, xlink = node.attributes['xmlns:xlink'];
+  node.attributes = {viewBox, style: `--width:${parseFloat(width)}px`, xmlns, 'xmlns:xlink': xlink, role: 'img', 'aria-label': alternative};
 }}})});
 
 // What is drawn is left as it is, to the last digit. gnuplot gives some of its ids twice; those that a mark is known by
@@ -28,7 +28,8 @@ const intoPage = (alternative) => ({name: 'intoPage', fn: () => ({element: {ente
 const optimized = (svg, ...plugins) => optimize(svg, {plugins}).data;
 const cleaned = (svg, alternative) => optimized(svg, 'removeDoctype', 'removeXMLProcInst', 'removeTitle',
   {name: 'removeDesc', params: {removeAny: true}}, intoPage(alternative));
-const withoutUnused = (svg) => optimized(svg, {name: 'cleanupIds', params: {minify: false, force: true}}, 'removeUselessDefs', 'removeEmptyContainers');
+const withoutUnused = (svg) => optimized(svg, {name: 'cleanupIds', params: {minify: false, force: true}},
+  'removeUselessDefs', 'removeEmptyContainers');
 const withOwnNames = (svg, prefix) => optimized(svg, {name: 'prefixIds', params: {prefix, delim: '-', prefixClassNames: false}});
 
 /// The figure of that path (from the root) as inline SVG with its alternative text.

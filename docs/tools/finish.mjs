@@ -53,7 +53,8 @@ function mend(tree) {
   withoutMarks(tree);
   tree('div.summary').remove();
   tree('p').has('> a.anchor:only-child:empty').remove();
-  tree('div.fragment').filter((_, listing) => tree(listing).find('.line').length < 18).addClass('short');  // on paper in one piece
+  const isShort = (_, listing) => tree(listing).find('.line').length < 18;
+  tree('div.fragment').filter(isShort).addClass('short');  // on paper in one piece
   for (const attribute of ['cellspacing', 'cellpadding', 'border', 'frameborder']) tree(`[${attribute}]`).removeAttr(attribute);
   tree('#MSearchField').attr('aria-label', 'Search titles and names');
   tree('iframe').attr('title', 'Search results');

@@ -30,7 +30,8 @@ export const formulaStyle = () => adaptor.textContent(MathJax.svgStylesheet());
 export function shareGlyphs(tree) {
   const ids = new Map();  // of outlines
   tree('path[data-c]').each((_, glyph) => {
-    const {'data-c': code, d: outline, ...rest} = glyph.attribs;
+    const {d: outline, ...rest} = glyph.attribs;
+    delete rest['data-c'];
     if (!outline) return tree(glyph).remove();
     if (!ids.has(outline)) ids.set(outline, `g${ids.size}`);
     Object.assign(glyph, {name: 'use', attribs: {href: '#' + ids.get(outline), ...rest}});

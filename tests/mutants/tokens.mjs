@@ -36,7 +36,8 @@ export function mutantsOf(text) {
 function lineOf(text, at) {
   const begin = text.lastIndexOf('\n', at) + 1, end = text.indexOf('\n', at);
   const line = text.slice(begin, end < 0 ? undefined : end);
-  return {number: text.slice(0, at).split('\n').length, line: line.trim(), column: at - begin - (line.length - line.trimStart().length)};
+  const indent = line.length - line.trimStart().length;
+  return {number: text.slice(0, at).split('\n').length, line: line.trim(), column: at - begin - indent};
 }
 
 export const changed = (text, mutant) => text.slice(0, mutant.at) + mutant.to + text.slice(mutant.at + mutant.from.length);

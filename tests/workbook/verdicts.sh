@@ -2,7 +2,7 @@
 # What a student and an instructor meet: every verdict in its own word, refusals, a copy, a class.
 #   bash tests/workbook/verdicts.sh ROOT
 set -uo pipefail
-cd "$1"
+cd "$1" || exit
 failed=0 passed=0
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
