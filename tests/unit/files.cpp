@@ -1,8 +1,8 @@
 #include <bit>
 #include <clocale>
 #include <cstdlib>
+#include <future>
 #include <limits>
-#include <thread>
 
 #include "catch.hpp"
 #include "first_contact/files/decimal.hpp"
@@ -61,11 +61,9 @@ TEST_CASE("A pipe with a name is written to, and read from") {
   const Folder folder;
   const fs::path pipe = folder.path() / "pipe";
   REQUIRE(std::system(("mkfifo '" + pipe.string() + "'").c_str()) == 0);
-  std::string read;
-  std::thread reader([&] { read = read_file(pipe); });
+  auto reader = std::async(std::launch::async, [&] { return read_file(pipe); });
   write_file(pipe, "through");
-  reader.join();
-  CHECK(read == "through");
+  CHECK(reader.get() == "through");
   CHECK(fs::is_fifo(pipe));
   CHECK(folder.files() == 1);
 }
@@ -84,12 +82,12 @@ TEST_CASE("A write that fails leaves what was there, and nothing beside it") {
 TEST_CASE("Of many runs that write one file at the same time, the last one's content stays, whole") {
   const Folder folder;
   const fs::path file = folder.path() / "a";
-  std::vector<std::thread> runs;
+  std::vector<std::future<void>> runs;
   for (char letter = 'a'; letter < 'i'; ++letter)
-    runs.emplace_back([&, letter] {
+    runs.push_back(std::async(std::launch::async, [&, letter] {
       for (int i = 0; i < 50; ++i) write_file(file, std::string(10000, letter));
-    });
-  for (auto& run : runs) run.join();
+    }));
+  for (auto& run : runs) run.get();
   const std::string content = read_file(file);
   CHECK(content == std::string(10000, content[0]));
   CHECK(folder.files() == 1);

@@ -2,12 +2,11 @@
 /// go wrong.
 #include <CLI/CLI.hpp>
 #include <array>
-#include <atomic>
 #include <cstdio>
 #include <mutex>
 #include <thread>
-#include <vector>
 
+#include "first_contact/bvh/build/parallel.hpp"
 #include "verify/judge.hpp"
 #include "verify/surfaces.hpp"
 
@@ -21,21 +20,14 @@ using Row = std::array<judge::Tally, surfaces::aims>;
 std::array<Row, surfaces::kinds> verify(std::uint64_t casts, std::uint64_t seed) {
   std::array<Row, surfaces::kinds> total{};
   std::mutex mutex;
-  std::atomic<std::uint64_t> next{0};
   const std::uint64_t rounds = (casts + casts_per_surface - 1) / casts_per_surface;
-  const auto work = [&] {
-    for (std::uint64_t i = next++; i < rounds; i = next++) {
-      const auto kind = static_cast<std::size_t>(i % surfaces::kinds);
-      Row row{};
-      judge::verify(seed + i, static_cast<int>(kind), casts_per_surface, row.data());
-      const std::lock_guard lock(mutex);
-      for (std::size_t aim = 0; aim < row.size(); ++aim) total[kind][aim].add(row[aim]);
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  first_contact::bvh::in_parallel(std::thread::hardware_concurrency(), rounds, [&](std::uint64_t i) {
+    const auto kind = static_cast<std::size_t>(i % surfaces::kinds);
+    Row row{};
+    judge::verify(seed + i, static_cast<int>(kind), casts_per_surface, row.data());
+    const std::lock_guard lock(mutex);
+    for (std::size_t aim = 0; aim < row.size(); ++aim) total[kind][aim].add(row[aim]);
+  });
   return total;
 }
 

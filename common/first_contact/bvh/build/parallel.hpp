@@ -13,6 +13,9 @@
 /// The idea: the parts are numbered, and whoever is free takes the next. So it does not matter how many
 /// threads there are, nor whether the system gives as many as were asked for. What a part throws reaches the
 /// caller, by way of its std::future, when all threads have ended.
+///
+/// std::async hands on what is thrown, for which std::jthread would need an exception_ptr, and every standard
+/// library has it; oneTBB builds a tree no sooner, and would be one more package for every user.
 
 namespace first_contact::bvh {
 
