@@ -94,7 +94,7 @@ void note(Program& program, const Scene& scene, const Moving<Sphere>& ball,
   }
   program.value("error_bound",
                 error_of_time(lengths_of(ball.shape, scene.plane),
-                              (contact ? contact->time : 1) * ball.displacement.norm(), toward));
+                              (contact ? contact->time : 1) * norm(ball.displacement), toward));
 }
 //! [notes]
 

@@ -32,7 +32,7 @@ void tell_scene(Program& program, const Plane& plane, const Moving<Box>& moving)
   report.title({"A moving box meets a plane", "匣面與平面之間的碰撞"}, "1.3");
   report.say({"The plane, and the box with its axes R, S, T", "平面與匣面，主軸為 R、S、T"});
   report.row("N", n, {"unit normal of the plane E = [N, D]", "平面 E = [N, D] 的單位法向量"});
-  report.row("|R|, |S|, |T|", Vector(box.r.norm(), box.s.norm(), box.t.norm()),
+  report.row("|R|, |S|, |T|", Vector(norm(box.r), norm(box.s), norm(box.t)),
              {"length, width, thickness", "長、寬、厚"});
   report.row("R.N, S.N, T.N", Vector(box.r.dot(n), box.s.dot(n), box.t.dot(n)),
              {"how much each axis rises from the plane", "各主軸沿法向量的分量"});
@@ -155,7 +155,7 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   const Vector n = scene.plane.normal();
   const double radius = box.effective_radius(n), distance = scene.plane.signed_distance(box.center);
   const double one_sign = 0.5 * std::abs(n.dot(box.r + box.s + box.t));
-  const Vector lengths(box.r.norm(), box.s.norm(), box.t.norm());
+  const Vector lengths(norm(box.r), norm(box.s), norm(box.t));
   for (int i = 0; i < 3; ++i) program.value("size." + std::to_string(i), lengths[i]);
   program.value("r_n", box.r.dot(n));
   program.value("s_n", box.s.dot(n));
@@ -168,7 +168,7 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   program.value("half_diagonal", 0.5 * lengths.norm());
   program.value("one_sign", one_sign);
   program.value("one_sign_depth", radius - one_sign);
-  program.value("error_bound", error_of_time(lengths_of(box, scene.plane), motion.norm(), n.dot(motion)));
+  program.value("error_bound", error_of_time(lengths_of(box, scene.plane), norm(motion), n.dot(motion)));
 }
 
 // ... and of the studies.

@@ -213,7 +213,6 @@ int main(int argc, char** argv) {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
     });
     const Environment environment = environment_of(program, scene);
-    run_casts(program, scene, environment);
     const auto contact = sweep(moving, environment);
     tell_environment(program, environment);
     tell_contact(program, moving, contact);
@@ -225,6 +224,7 @@ int main(int argc, char** argv) {
     note_features(program, environment);
     note_faults(program, environment, moving);
     note_accuracy(program);
+    run_casts(program, scene, environment);
     if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
   });
 }

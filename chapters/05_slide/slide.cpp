@@ -39,7 +39,7 @@ Text text_of(Ending ending) {
 double length_of(const Slide& path) {
   double length = 0;
   for (std::size_t i = 1; i < path.positions.size(); ++i)
-    length += (path.positions[i] - path.positions[i - 1]).norm();
+    length += norm(path.positions[i] - path.positions[i - 1]);
   return length;
 }
 
@@ -70,7 +70,7 @@ void tell_projection(Program& program, const Environment& environment, const Mov
   report.say({"Corrected: Q is the centre of the sphere", "修正：Q 為球心"});
   report.row("P3 = P2 - [(P2 - Q).N] N", p3, {"where it slides to", "滑行後的新位置"});
   report.row("(P3 - C).N ", (p3 - c).dot(n), {"height of the centre above the wall", "球心離牆高度"});
-  program.row("|P3 - Q|", (p3 - q).norm(), {"distance that it slides", "滑行距離"}).value("slid");
+  program.row("|P3 - Q|", norm(p3 - q), {"distance that it slides", "滑行距離"}).value("slid");
 }
 
 // The whole slide: each corner of the path.
@@ -88,7 +88,7 @@ void tell_path(Program& program, const Slide& path, const Moving<Sphere>& ball) 
         .result("/positions/" + std::to_string(i));
   program.row("length", length_of(path), {"of the path; never more than asked", "路徑長；不大於原距離"})
       .value("length");
-  program.row("|P2 - P1|", ball.displacement.norm(), {"asked", "原距離"}).value("asked");
+  program.row("|P2 - P1|", norm(ball.displacement), {"asked", "原距離"}).value("asked");
 }
 
 // One projection alone leads into the next wall; the loop does not.
@@ -148,7 +148,7 @@ void note_wall(Program& program, const Environment& environment, const Moving<Sp
   const Point q = ball.shape.center + contact->time * ball.displacement;
   const Point p3 = slide_target(p2, q, contact->normal);
   program.value("depth", (p2 - q).dot(contact->normal));
-  program.value("left", (p2 - q).norm());
+  program.value("left", norm(p2 - q));
   program.value("through_x", p3.x());
   program.value("through_y", p3.y());
   program.value("through_z", p3.z());

@@ -229,7 +229,6 @@ int main(int argc, char** argv) {
     const Flight printed = tween_bounce::printed_flight(motion);
     const Flight physical = tween_bounce::physical_flight(bounce, scene.dt, scene.count());
     const Flight& flight = scene.model == "printed" ? printed : physical;
-    if (!scene.csv.empty()) program.checked("--csv", [&] { write_file(scene.csv, csv(flight)); });
 
     Report& report = program.report();
     report.title({"A tween bounces: fast down, slow up", "移動補間動畫：下降快、反彈慢"}, "1.1, 2.4.2");
@@ -242,6 +241,7 @@ int main(int argc, char** argv) {
     tween_bounce::tell_tweens(program);
     give_results(program, flight);
     note(program, scene, motion, bounce);
+    if (!scene.csv.empty()) program.checked("--csv", [&] { write_file(scene.csv, csv(flight)); });
     if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);
   });
 }

@@ -4,6 +4,7 @@
 
 #include "encounter.hpp"
 #include "figures/figures.hpp"
+#include "first_contact/geometry/refuse.hpp"
 #include "first_contact/program/program.hpp"
 
 using namespace first_contact;
@@ -119,6 +120,7 @@ double energy(const Encounter& encounter, const std::array<Vector2d, 2>& v) {
     const double mass = encounter.mass[static_cast<int>(i)];
     if (std::isfinite(mass)) sum += mass * v[i].squaredNorm() / 2;  // a wall's energy does not change
   }
+  if (!std::isfinite(sum)) refuse("energy", "must not lead beyond the range of numbers");
   return sum;
 }
 

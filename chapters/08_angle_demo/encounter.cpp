@@ -54,7 +54,8 @@ Outcome at_contact(const Encounter& e) {
 Closest closest_approach(const Encounter& e) {
   const Vector2d w = e.p1 - e.p2, u = e.v1 - e.v2;
   const double time = u.squaredNorm() > 0 ? std::max(0.0, -w.dot(u) / u.squaredNorm()) : 0.0;
-  return {time, (w + time * u).norm()};
+  const Vector2d apart = w + time * u;
+  return {time, norm(Vector(apart.x(), apart.y(), 0))};
 }
 
 std::array<Vector2d, 2> centres(const Encounter& e, double time) {

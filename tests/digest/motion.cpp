@@ -10,8 +10,8 @@
 
 /// Motion, and the stage. Left out is what goes through a sine, a power or a logarithm of the C library,
 /// which each library rounds as it likes: the sine, exponential and elastic easings, damp, turns at constant
-/// speed (slerp), Rigid::turned and with it meshes that turn, perspective, and the impacts of a bounce after
-/// the first.
+/// speed (slerp), Rigid::turned and with it meshes that turn, perspective, the impacts of a bounce after the first,
+/// and, with the shapes, principal_box. \see tests/oracle/left_out.cpp
 namespace digest {
 
 namespace {

@@ -42,6 +42,11 @@ const std::vector<Numbers> all_options{{"plane", "--plane", 4},
                                        {"angle_demo", "--radius", 1},
                                        {"angle_demo", "--restitution", 1}};
 
+/// An option as it is given.
+struct Given {
+  std::string option, value;
+};
+
 std::string value_of(const Numbers& option, const std::string& number, int place) {
   std::string value;
   for (int i = 0; i < option.count; ++i)
@@ -60,12 +65,13 @@ bool all_numbers(const nlohmann::json& result) {
   return true;
 }
 
-// Answered with numbers, or refused in one line that names the option.
-void check_answer(const Numbers& option, const std::string& value) {
-  std::vector<std::string> arguments{option.option + "=" + value, "--json", "--no-figures"};
-  if (option.program == "slide") arguments.push_back("--frames=1");
-  const Run run = run_program(option.program, arguments);
-  CAPTURE(option.program, option.option, value, run.status, run.err, run.out);
+// Answered with numbers, or refused in one line that names an option and its value.
+void check_answer(const std::string& program, const std::vector<Given>& given) {
+  std::vector<std::string> arguments{"--json", "--no-figures"};
+  for (const Given& one : given) arguments.push_back(one.option + "=" + one.value);
+  if (program == "slide") arguments.push_back("--frames=1");
+  const Run run = run_program(program, arguments);
+  CAPTURE(program, arguments, run.status, run.err, run.out);
   if (run.status == 0) {
     CHECK(all_numbers(nlohmann::json::parse(run.out)));
     CHECK(run.err.empty());
@@ -73,7 +79,9 @@ void check_answer(const Numbers& option, const std::string& value) {
     CHECK(run.status == 2);
     CHECK(run.out.empty());
     CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
-    CHECK(run.err.find(option.option) != std::string::npos);
+    CHECK(std::any_of(given.begin(), given.end(), [&](const Given& one) {
+      return run.err.find(one.option + " " + one.value) != std::string::npos;
+    }));
   }
 }
 
@@ -84,7 +92,68 @@ TEST_CASE("Whatever number an option has, the answer is of numbers, or a refusal
                                       "1e-400", "+-2", "", " ", "0x1p3");
   for (const Numbers& option : all_options)
     for (int place = 0; place <= option.count; place += option.count)  // the first of them, and all
-      check_answer(option, value_of(option, number, place));
+      check_answer(option.program, {{option.option, value_of(option, number, place)}});
+}
+
+TEST_CASE(
+    "Whatever numbers two options have together, the answer is of numbers, or a refusal that names one") {
+  const auto [first, second] =
+      GENERATE(table<std::string, std::string>({{"1e300", "-1e300"}, {"1e-320", "1e308"}, {"0", "0"}}));
+  for (std::size_t i = 0; i < all_options.size(); ++i)
+    for (std::size_t j = i + 1; j < all_options.size() && all_options[j].program == all_options[i].program;
+         ++j)
+      check_answer(all_options[i].program,
+                   {{all_options[i].option, value_of(all_options[i], first, all_options[i].count)},
+                    {all_options[j].option, value_of(all_options[j], second, all_options[j].count)}});
+}
+
+TEST_CASE("A scene in which nothing moves, or nothing comes nearer, is answered") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> scenes{
+      {"plane", {"--from", "1,1,1", "--to", "1,1,1"}},
+      {"plane", {"--from", "0,0,3", "--to", "1,0,3"}},
+      {"plane", {"--from", "1e200,1,1"}},
+      {"box", {"--plane", "1,1,1,1"}},
+      {"box", {"--from", "0,0,3", "--to", "0,0,3"}},
+      {"general_sphere", {"--from", "1,1,1", "--to", "1,1,1"}},
+      {"slide", {"--from", "0,0,3", "--to", "0,0,3", "--frames", "1"}},
+      {"slide", {"--to", "1e200,1,1", "--frames", "1"}},
+      {"moving_spheres", {"--p1", "0,0,0", "--p2", "0,0,0", "--q1", "9,0,0", "--q2", "9,0,0"}},
+      {"tween_bounce", {"--v0", "0", "--y0", "0"}},
+      {"tween_bounce", {"--g", "0"}},
+      {"angle_demo", {"--p1", "1e200,0"}},
+      {"angle_demo", {"--v1", "0,0", "--v2", "0,0"}}};
+  for (const auto& [program, options] : scenes) {
+    std::vector<std::string> arguments = options;
+    arguments.insert(arguments.end(), {"--json", "--no-figures"});
+    const Run run = run_program(program, arguments);
+    CAPTURE(program, options, run.err);
+    CHECK(run.status == 0);
+    CHECK(run.err.empty());
+    CHECK(nlohmann::json::accept(run.out));
+    arguments = options;
+    arguments.push_back("--no-figures");
+    const std::string told = run_program(program, arguments).out;
+    for (const std::string word : {" inf ", " -inf ", " nan ", " -nan "})
+      CHECK(told.find(word) == std::string::npos);
+  }
+}
+
+TEST_CASE("What leads beyond the range of numbers is refused before anything is drawn or written") {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> runs{
+      {"tween_bounce", {"--y0", "1e200", "--v0", "1e250", "--csv", "samples.csv"}},
+      {"angle_demo", {"--v1", "1e200,0"}},
+      {"angle_demo", {"--mass", "1e308,1e308"}},
+      {"plane", {"--from", "-1e301,0,0", "--to", "1e301,0,0"}}};
+  for (const auto& [program, options] : runs) {
+    const TemporaryFolder folder;
+    const Run run = run_program(program, options, folder.path());
+    CAPTURE(program, options, run.err);
+    CHECK(run.status == 2);
+    CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+    for (std::size_t i = 0; i + 1 < options.size(); i += 2)
+      if (options[i] != "--csv") CHECK(run.err.find(options[i] + " " + options[i + 1]) != std::string::npos);
+    CHECK(std::filesystem::is_empty(folder.path()));
+  }
 }
 
 TEST_CASE("A value as long as a book is refused in one short line") {

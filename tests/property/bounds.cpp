@@ -1,6 +1,7 @@
 #include "first_contact/geometry/bounds.hpp"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <rapidcheck/catch.h>
 
 using namespace first_contact;
+using Exact = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 
@@ -58,10 +60,10 @@ TEST_CASE("The bounds of a moving sphere hold all of it, to the last bit") {
     const Bounds bounds = bounds_of(sphere, v);
     for (int axis = 0; axis < 3; ++axis)
       for (const double t : {0.0, 1.0}) {
-        // 64 bits of a long double hold these sums exactly, or one rounding of 2^-64 that is seen as equal.
-        const long double center = static_cast<long double>(sphere.center[axis]) + t * v[axis];
-        RC_ASSERT(static_cast<long double>(bounds.min()[axis]) <= center - sphere.radius);
-        RC_ASSERT(static_cast<long double>(bounds.max()[axis]) >= center + sphere.radius);
+        // Fifty digits hold these sums exactly.
+        const Exact center = Exact(sphere.center[axis]) + t * Exact(v[axis]);
+        RC_ASSERT(bounds.min()[axis] <= center - sphere.radius);
+        RC_ASSERT(bounds.max()[axis] >= center + sphere.radius);
       }
   });
 }

@@ -5,6 +5,7 @@
 
 // The order matters: Catch2 before RapidCheck.
 #include "catch.hpp"
+#include "wide.hpp"
 //
 #include <rapidcheck.h>
 #include <rapidcheck/catch.h>
@@ -25,17 +26,17 @@ std::vector<Point2> outline() {
   return corners;
 }
 
-long double cross(const Point2& a, const Point2& b, const Point2& p) {
-  const long double x = static_cast<long double>(b.x()) - a.x(), y = static_cast<long double>(b.y()) - a.y();
-  return x * (static_cast<long double>(p.y()) - a.y()) - y * (static_cast<long double>(p.x()) - a.x());
+Wide cross(const Point2& a, const Point2& b, const Point2& p) {
+  const Wide x = Wide(b.x()) - a.x(), y = Wide(b.y()) - a.y();
+  return x * (Wide(p.y()) - a.y()) - y * (Wide(p.x()) - a.x());
 }
 
 /// Even-odd by fans: a point is in the shape if it is in an odd number of the triangles (first corner, side).
 bool in_an_odd_number_of_triangles(const std::vector<Point2>& outline, const Point2& p) {
   bool odd = false;
   for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
-    const long double u = cross(outline[0], outline[i], p), v = cross(outline[i], outline[i + 1], p),
-                      w = cross(outline[i + 1], outline[0], p);
+    const Wide u = cross(outline[0], outline[i], p), v = cross(outline[i], outline[i + 1], p),
+               w = cross(outline[i + 1], outline[0], p);
     if ((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0)) odd = !odd;
   }
   return odd;

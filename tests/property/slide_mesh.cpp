@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "first_contact/response/slide.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "wide.hpp"
 //
 #include <rapidcheck.h>
 #include <rapidcheck/catch.h>
@@ -16,7 +17,7 @@ using namespace first_contact;
 
 namespace {
 
-using Real = long double;
+using Real = Wide;
 using Position = Eigen::Matrix<Real, 3, 1>;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -24,7 +25,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 Real distance(const Position& p, const Position& a, const Position& b) {
   const Position d = b - a;
   const Real length = d.squaredNorm();
-  const Real t = length > 0 ? std::clamp<Real>((p - a).dot(d) / length, 0, 1) : 0;
+  const Real t = length > 0 ? std::clamp<Real>((p - a).dot(d) / length, 0, 1) : Real(0);
   return (p - a - t * d).norm();
 }
 
@@ -34,7 +35,8 @@ Real distance(const Position& p, const Triangle& triangle) {
   const Position n = (b - a).cross(c - a);
   const bool above = n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
                      n.dot((a - c).cross(p - c)) >= 0;
-  return above && n.norm() > 0 ? std::min(rim, std::abs(n.dot(p - a)) / n.norm()) : rim;
+  using std::abs;
+  return above && n.norm() > 0 ? std::min<Real>(rim, abs(n.dot(p - a)) / n.norm()) : rim;
 }
 
 double distance(const Point& p, const Mesh& mesh) {

@@ -12,6 +12,7 @@
 #include "first_contact/trees/plain_bvh.hpp"
 #include "verify/surfaces.hpp"
 #include "verify/window.hpp"
+#include "wide.hpp"
 
 namespace judge {
 
@@ -67,7 +68,7 @@ void add(Tally& tally, const Mesh& mesh, const Moving<Sphere>& moving,
          const std::optional<Contact>& contact) {
   const bool sphere = moving.shape.radius > 0;
   Tally one;
-  if (sphere) one = tally_of<long double>(mesh, moving, contact);
+  if (sphere) one = tally_of<Wide>(mesh, moving, contact);
   if (!sphere || !one.good()) {
     one = tally_of<FiftyDigits>(mesh, moving, contact);
     one.disputed = sphere;

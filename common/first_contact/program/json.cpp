@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 namespace first_contact::program {
 
@@ -49,11 +50,9 @@ std::string to_string(const Json& json) {
   return text;
 }
 
-std::string beyond_all_numbers(const Json& json) {
-  const Json flat = json.flatten();
-  for (const auto& [place, value] : flat.items())
-    if (value.is_number_float() && !std::isfinite(value.get<double>())) return place;
-  return "";
+double finite(double value, const std::string& place) {
+  if (std::isfinite(value)) return value;
+  throw std::invalid_argument("must not lead beyond the range of numbers, as " + place + " does");
 }
 
 }  // namespace first_contact::program

@@ -11,7 +11,9 @@ using Json = nlohmann::ordered_json;
 /// null.
 std::string to_string(const Json& json);
 
-/// The place of a number that is infinite or none, as a JSON pointer; empty if there is no such number.
-std::string beyond_all_numbers(const Json& json);
+/// The number of that place, as it is.
+/// \throws std::invalid_argument if it is infinite or none, for which JSON has no word: so when it is told, before
+///     anything is drawn.
+double finite(double value, const std::string& place);
 
 }  // namespace first_contact::program

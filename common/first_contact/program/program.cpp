@@ -214,11 +214,6 @@ void Program::run_chapter(const std::function<void()>& chapter) {
   Inside& in = *inside_;
   try {
     chapter();
-    for (const Json* results : {&in.json, &in.values}) {
-      const std::string place = beyond_all_numbers(*results);
-      if (!place.empty())
-        throw std::invalid_argument("must not lead beyond the range of numbers, as " + place + " does");
-    }
   } catch (const FileError& error) {  // of a figure
     throw Refused("--out " + printable(in.out) + ": " + error.what());
   } catch (const std::invalid_argument& error) {
@@ -274,14 +269,15 @@ Report& Program::report() { return *inside_->report; }
 
 void Program::result(const std::string& place, std::nullptr_t) { inside_->at(place) = nullptr; }
 void Program::result(const std::string& place, bool value) { inside_->at(place) = value; }
-void Program::result(const std::string& place, double value) { inside_->at(place) = value; }
+void Program::result(const std::string& place, double value) { inside_->at(place) = finite(value, place); }
 void Program::result(const std::string& place, long value) { inside_->at(place) = value; }
 void Program::result(const std::string& place, const std::string& value) { inside_->at(place) = value; }
 void Program::result(const std::string& place, const std::vector<double>& value) {
+  for (const double number : value) finite(number, place);
   inside_->at(place) = value;
 }
 void Program::result(const std::string& place, const Vector& value) {
-  inside_->at(place) = {value.x(), value.y(), value.z()};
+  result(place, std::vector<double>{value.x(), value.y(), value.z()});
 }
 void Program::result_list(const std::string& place) { inside_->at(place) = Json::array(); }
 

@@ -115,8 +115,8 @@ class Program {
     return {*this, number};
   }
   ///@{
-  /// A result that `--json` prints, at a place that a JSON pointer names (RFC 6901): "/contact/time",
-  /// "/impacts/0/speed". A vector is [x, y, z], what is not there is null.
+  /// A result that `--json` prints, at a place that a JSON pointer names (RFC 6901), such as "/impacts/0/speed".
+  /// A vector is [x, y, z], what is not there is null; what is infinite or no number is refused.
   void result(const std::string& place, std::nullptr_t);
   void result(const std::string& place, bool value);
   void result(const std::string& place, double value);
@@ -138,8 +138,8 @@ class Program {
   /// A list among the results that may stay empty; its items are "/impacts/0", "/impacts/1" and so on.
   void result_list(const std::string& place);
   ///@{
-  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as
-  /// JSON.
+  /// One more number of this run, which the notes show by this name: `--values FILE` writes them all, as JSON;
+  /// one that this scene does not have, such as a quotient by zero, is null.
   void value(const std::string& name, double number);
   void value(const std::string& name, const Shown& number) { value(name, number.number); }
   template <std::integral Whole>
