@@ -44,7 +44,8 @@ class Page {
     }
   }
 
-  // {{plane.contact.time}}, {{plane.contact.time:.3f}}, {{typed 0.07 | why}}, in a table {{typed 0.07 \| why}}, {{cost root: file tag}}
+  // {{plane.contact.time}}, {{plane.contact.time:.3f}}, {{typed 0.07 | why}}, {{cost root: file tag}};
+  // within a table a | is \|.
   number(body, line, inFormula) {
     return this.attempt(line, () => {
       const typed = /^typed\s+(.*?)\s*\|\s*(.+)$/.exec(body);
