@@ -96,7 +96,8 @@ make() {
   alone
   forget_if_moved "$preset"
   log=$(mktemp)
-  if ! cmake --preset "$preset" ${FIRST_CONTACT_WERROR:+-DFIRST_CONTACT_WERROR="$FIRST_CONTACT_WERROR"} >"$log" 2>&1; then
+  if ! cmake --preset "$preset" ${FIRST_CONTACT_WERROR:+-DFIRST_CONTACT_WERROR="$FIRST_CONTACT_WERROR"} \
+         ${FIRST_CONTACT_MINE:+-DFIRST_CONTACT_MINE="$FIRST_CONTACT_MINE"} >"$log" 2>&1; then
     explain_configure "$log"
     rm -f "$log"
     exit 1

@@ -26,7 +26,8 @@ copy_workbook() {
   cp .course/workbook.sh "$to/.course/"
   cp .course/copy/course .course/copy/README.md LICENSE "$to/"
   printf '/build/\n/.progress\n' >"$to/.gitignore"
-  for folder in chapters/[0-9][0-9]_*/exercises/*; do
+  for folder in chapters/[0-9][0-9]_*/exercises/*/; do
+    folder=${folder%/}
     mkdir -p "$to/$folder"
     cp -R "$folder"/{task.hpp,probes.hpp,wrong} "$to/$folder/"
     stub_of "$folder/answer.hpp" >"$to/$folder/answer.hpp"
