@@ -6,6 +6,7 @@ import {runDoxygen} from './tools/doxygen.mjs';
 import {finish} from './tools/finish.mjs';
 import {chapterFoot, chapterHead, chapterList, chapterMap, exerciseList} from './tools/generated.mjs';
 import {libraryTable} from './tools/library.mjs';
+import {museumText} from './tools/museum.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
 import {runNamed, runPrograms} from './tools/values.mjs';
 import {prose, shown, weave} from './tools/weave.mjs';
@@ -30,7 +31,7 @@ for (const chapter of chapters) {
 const generated = {map: chapterMap(), chapters: chapterList(), exercises: exerciseList(), bibliography: bibliography(),
                    'paper-map': paperTable(), errata: errataTable(),
                    library: libraryTable((words) => prose(words, 'library.md'))};
-for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated}));
+for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated, text: page.isMuseum ? museumText() : undefined}));
 stopIfWrong('weaving the pages');
 
 runDoxygen();

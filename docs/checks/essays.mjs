@@ -3,6 +3,7 @@
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {build, chapters, complain, exercises, fromRoot, read} from '../tools/book.mjs';
+import {faultsOfMuseum} from '../tools/museum.mjs';
 
 const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises',
                'Further reading'];
@@ -37,11 +38,13 @@ function checkExercises(chapter) {
 }
 
 export function checkEssays() {
+  const museum = faultsOfMuseum();
+  for (const fault of museum.faults) complain('docs/museum.json', fault);
   for (const chapter of chapters) {
     if (existsSync(chapter.source)) checkEssay(chapter), checkExercises(chapter);
     else complain(fromRoot(chapter.source), 'is missing');
   }
   const typed = JSON.parse(readFileSync(join(build, 'shown.json'), 'utf8')).typed;
   for (const {where, number, reason} of typed) console.log(`  ${where}: ${number} typed: ${reason}`);
-  return `${chapters.length} chapters, ${typed.length} numbers typed by hand with a reason`;
+  return `${chapters.length} chapters, ${museum.count} exhibits each with a test, ${typed.length} numbers typed by hand with a reason`;
 }

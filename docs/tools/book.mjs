@@ -58,6 +58,7 @@ export const otherPages = [
   {id: 'library-stage', title: 'The stage, file by file', short: 'stage', isLibrary: true, folders: ['stage']},
   {id: 'workbook', title: 'The workbook', isWorkbook: true},
   ...exercises,
+  {id: 'museum', title: 'The museum of published mistakes', isMuseum: true},
   {id: 'papermap', title: 'Paper map'},
   {id: 'errata', title: 'Errata of the paper'},
   {id: 'glossary', title: 'Glossary 詞彙'},

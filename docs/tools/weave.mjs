@@ -234,8 +234,8 @@ for (const [type, make] of Object.entries(becomes))
 export const prose = (text, file) => new Page(file, join(docs, 'pages', file), null, text).asHtml(text, 1);
 
 /// One page for Doxygen. \param head  its title, and the HTML that follows it; \param foot  the HTML at its end
-export function weave({id, source, chapter, title, folders, head = '', foot = '', generated = {}}) {
-  const page = new Page(id, source, chapter);
+export function weave({id, source, chapter, title, folders, text, head = '', foot = '', generated = {}}) {
+  const page = new Page(id, source, chapter, text);
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
   if (first?.[1] !== title) complain(`${page.name}:1`, `the first line must be "# ${title}"`);

@@ -1,11 +1,11 @@
 // stands for: first_contact/sweep/box_plane.cpp
 // The student's exercises 2a and 2b in the place of the library's: ./course run box --mine
-#include "first_contact/sweep/box_plane.hpp"
+#include "workbook/mine.hpp"
 
 #include <cmath>
 
+#include "first_contact/sweep/box_plane.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
-#include "workbook/mine.hpp"
 
 namespace mine {
 namespace reach {

@@ -1,8 +1,8 @@
 // stands for: first_contact/sweep/first_root.cpp
 // The student's exercise 4a under every edge and every vertex: ./course run general_sphere --mine
-#include "first_contact/sweep/first_root.hpp"
-
 #include "workbook/mine.hpp"
+
+#include "first_contact/sweep/first_root.hpp"
 
 namespace mine {
 #include "04_general_sphere/exercises/4a/answer.hpp"

@@ -1,8 +1,7 @@
 // stands for: first_contact/response/impact.cpp
 // The student's exercise 8a in the place of the library's impact: ./course run angle_demo --mine
-#include "first_contact/response/impact.hpp"
-
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/response/impact.hpp"
 #include "workbook/vectors.hpp"
 
 namespace mine {

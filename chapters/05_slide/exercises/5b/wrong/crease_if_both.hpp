@@ -1,8 +1,6 @@
 // Looks like: along the crease whenever w leads into both walls. In a wide crease it is nearer to follow one
 // wall, away from the other.
 // Ask: two walls make a wide, flat valley. Is what is left along the one always into the other?
-// Seen in: Quake took the crease as a cross product whenever no single plane would do; take care to ask that
-// first
 #include "task.hpp"
 
 Vector along_two_walls(Vector w, Vector N, Vector M) {
