@@ -66,7 +66,7 @@ std::optional<double> meets_obstacle(const Tween& tween, std::size_t leg) {
   const Plane top({0, 1, 0}, 1);  // y = -1: the centre of a ball of radius 1 meets it at y = 0
   const auto touch = sweep_along(tween.curve(leg), 1, top, 1e-6);
   if (!touch) return std::nullopt;
-  return std::lerp(tween.keys()[leg].time, tween.keys()[leg + 1].time, touch->u);
+  return std::lerp(tween.keys()[leg].time, tween.keys()[leg + 1].time, touch->time);
 }
 //! [plan]
 

@@ -86,12 +86,15 @@
 #include "first_contact/response/impact.hpp"
 
 #include "first_contact/motion/easing.hpp"
+#include "first_contact/motion/timing.hpp"
 #include "first_contact/motion/curve.hpp"
 #include "first_contact/motion/through_points.hpp"
 #include "first_contact/motion/arc_length.hpp"
 #include "first_contact/motion/path.hpp"
 #include "first_contact/motion/tween.hpp"
+#include "first_contact/motion/chords.hpp"
 #include "first_contact/motion/sweep_along.hpp"
+#include "first_contact/motion/sweep_tween.hpp"
 #include "first_contact/motion/bounce.hpp"
 
 #include "first_contact/stage/hit_test.hpp"

@@ -1,6 +1,6 @@
 #include "first_contact/motion/bounce.hpp"
 #include "first_contact/motion/easing.hpp"
-#include "first_contact/motion/sweep_along.hpp"
+#include "first_contact/motion/sweep_tween.hpp"
 #include "first_contact/motion/tween.hpp"
 #include "first_contact/stage/hit_test.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
@@ -109,20 +109,23 @@ void tweens(Record& record) {
   }
 }
 
-/// A contact along a curve, told by where on the curve it is.
-std::optional<Contact> at_its_place(std::optional<CurveContact> along) {
-  if (!along) return std::nullopt;
-  along->contact.time = along->u;
-  return along->contact;
-}
-
 void along_curves(Record& record) {
   Dice dice(24);
   for (int i = 0; i < cases / 10; ++i, record.next()) {
     const Curve path = curve(dice, 1);
     const double radius = 0.25 * dice.length();
-    record.add(at_its_place(sweep_along(path, radius, plane(dice, 1), 0x1p-8)));
-    record.add(at_its_place(sweep_along(path, radius, triangle(dice, 1), 0x1p-8)));
+    const Plane floor = plane(dice, 1);
+    record.add(sweep_along(path, radius, floor, 0x1p-8 * std::max(1.0, largest_coordinate(floor))));
+    record.add(sweep_along(path, radius, triangle(dice, 1), 0x1p-8));
+  }
+}
+
+void swept_tweens(Record& record) {
+  Dice dice(29);
+  for (int i = 0; i < cases / 10; ++i, record.next()) {
+    const Tween motion = tween(dice);
+    record.add(sweep(motion, 0.25 * dice.length(), plane(dice, 1)));
+    record.add(sweep(motion, 0.25 * dice.length(), triangle(dice, 1)));
   }
 }
 
@@ -174,6 +177,7 @@ std::vector<Verb> motion_verbs() {
           {"easings", easings},
           {"tweens", tweens},
           {"sweep along", along_curves},
+          {"sweep tween", swept_tweens},
           {"bounce", bounces},
           {"hit tests", hit_tests}};
 }

@@ -107,10 +107,7 @@ void sweeps(const Environment& environment, const Bvh& bvh, const Soup<Octree>& 
 
 void motions() {
   const Curve curve = BSpline({point(), point(), point(), point()}, 3);
-  if (const auto along = sweep_along(curve, 0.25, Plane{point(), number()}, 0x1p-6)) {
-    add(along->u);
-    add(std::optional(along->contact));
-  }
+  add(sweep_along(curve, 0.25, Plane{point(), number()}, 0x1p-6));
   const Tween tween({{0, point(), ease::in_out_cubic, Path::bezier({point()}, true)}, {1, point()}});
   add(tween.at(0.375));
   const auto flat = [] { return Vector2(point().head<2>()); };

@@ -1,7 +1,6 @@
 // The range of numbers that contact.hpp promises, at its ends: what moves, bounces and is struck.
 #include "first_contact/motion/bounce.hpp"
-#include "first_contact/motion/sweep_along.hpp"
-#include "first_contact/motion/tween.hpp"
+#include "first_contact/motion/sweep_tween.hpp"
 #include "first_contact/response/impact.hpp"
 #include "first_contact/response/slide.hpp"
 #include "first_contact/sweep/sphere_box.hpp"
@@ -74,11 +73,7 @@ TEST_CASE("A way along a curve meets the same thing in every unit") {
     hits += at_size_1.has_value();
     for (const int power : powers) {
       CAPTURE(power);
-      const auto contact = along(power);
-      REQUIRE(contact.has_value() == at_size_1.has_value());
-      if (!contact) continue;
-      REQUIRE(contact->u == at_size_1->u);
-      check_scaled(std::optional(contact->contact), std::optional(at_size_1->contact), power);
+      check_scaled(along(power), at_size_1, power);
     }
   });
   CHECK(hits > 20);
@@ -124,6 +119,32 @@ TEST_CASE("A tween is at the same place in every unit of length, and of time") {
         check_scaled(tween(power, pace).at(times(moment, pace)), at_size_1, power);
       }
   });
+}
+
+TEST_CASE("A tween meets the same thing in every unit of length, and of time") {
+  int hits = 0;
+  in_every_unit(1319, 40, [&](Scene& scene) {
+    const Mesh mesh = scene.mesh();
+    const std::vector<Point> places = points(scene, 2), between = points(scene, 2);
+    const Easing easing = ease::all()[scene.chance().pick(ease::all().size())].easing;
+    const bool by_length = scene.chance().pick(2) == 1;
+    const auto touch = [&](int power, int pace) {
+      const Tween tween({{times(-0.5, pace), times(places[0], power), easing,
+                          Path::bezier(times(between, power), by_length)},
+                         {times(1, pace), times(places[1], power)}});
+      auto contact = sweep(tween, times(0.25, power), Environment(times(mesh, power)));
+      if (contact) contact->time = times(contact->time, -pace);
+      return contact;
+    };
+    const auto at_size_1 = touch(0, 0);
+    hits += at_size_1.has_value();
+    for (const int power : powers)
+      for (const int pace : {-1000, 0, 1000}) {
+        CAPTURE(power, pace);
+        check_scaled(touch(power, pace), at_size_1, power);
+      }
+  });
+  CHECK(hits > 15);
 }
 
 TEST_CASE("A bounce is the same in every unit of length, and of time") {

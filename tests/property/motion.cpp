@@ -133,7 +133,7 @@ TEST_CASE(
     points.front().z() = radius + number(1, 5);  // apart at the start
     const Curve curve = *rc::gen::arbitrary<bool>() ? Curve(Bezier(points)) : Curve(BSpline(points, 1));
     const auto contact = sweep_along(curve, radius, ground, deviation);
-    const double until = contact ? contact->u : 1;
+    const double until = contact ? contact->time : 1;
     for (int i = 0; i <= 200; ++i)
       RC_ASSERT(at(curve, until * i / 200).z() >= radius - deviation * (1 + 1e-9));
     if (contact) RC_ASSERT(at(curve, until).z() <= radius + deviation * (1 + 1e-9));

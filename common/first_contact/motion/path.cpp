@@ -70,6 +70,38 @@ Leg::Leg(const Path& path, const Point& a, const Point& b) : curve_(path.from_to
   if (path.constant_speed) by_length_.emplace(curve_);
 }
 
+double Leg::part(double u) const {
+  return by_length_ && u > 0 && u < 1 ? by_length_->to(u) / by_length_->total() : u;
+}
+
+double Leg::parameter(double part) const {
+  return by_length_ && part > 0 && part < 1 ? by_length_->parameter(part * by_length_->total()) : part;
+}
+
+std::vector<Stretch> Leg::stretches(double from_part, double to_part) const {
+  const std::vector<double> joints = breaks(curve_);
+  const std::vector<Bezier> pieces = bezier_pieces(curve_);
+  const double from = parameter(std::min(from_part, to_part)), to = parameter(std::max(from_part, to_part));
+  std::vector<double> cuts{from};
+  for (const double joint : joints)
+    if (joint > from && joint < to) cuts.push_back(joint);
+  cuts.push_back(to);
+  if (to_part < from_part) std::reverse(cuts.begin(), cuts.end());
+  std::vector<Stretch> all;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double a = cuts[i - 1], b = cuts[i], middle = lerp(a, b, 0.5);
+    if (by_length_ && (middle < 0 || middle > 1)) {
+      all.push_back({line(at(a), at(b)), a, b});
+      continue;
+    }
+    const auto next = std::upper_bound(joints.begin() + 1, joints.end() - 1, middle) - joints.begin();
+    const auto k = static_cast<std::size_t>(next - 1);
+    const double span = joints[k + 1] - joints[k];
+    all.push_back({pieces[k].part((a - joints[k]) / span, (b - joints[k]) / span), a, b});
+  }
+  return all;
+}
+
 Point Leg::at(double part) const {
   return by_length_ ? by_length_->at(part) : first_contact::at(curve_, part);
 }

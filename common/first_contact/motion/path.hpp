@@ -43,6 +43,12 @@ struct Path {
   Curve from_to(const Point& a, const Point& b) const;
 };
 
+/// A piece of the way, as one polynomial or one line.
+struct Stretch {
+  Bezier curve;     ///< the piece, in the direction in which it is gone along
+  double from, to;  ///< the parameter of the whole curve at its beginning and its end; beyond [0, 1] also
+};
+
 /// A path with its two ends: the place at each part of the way.
 class Leg {
  public:
@@ -52,6 +58,12 @@ class Leg {
   /// The place at that part of the way: a at 0 and b at 1. Beyond, where an easing overshoots, a curve by its own
   /// parameter goes on as its polynomial does, one by its length straight on.
   Point at(double part) const;
+  /// The way from one part to another, either of which may be beyond an end, piece by piece.
+  std::vector<Stretch> stretches(double from_part, double to_part) const;
+  /// The part of the way at a parameter of the curve.
+  double part(double u) const;
+  /// The parameter of the curve at that part of the way; beyond the ends they are the same.
+  double parameter(double part) const;
   /// Its curve.
   const Curve& curve() const { return curve_; }
   /// The same by its length, if its speed is constant.

@@ -1,36 +1,75 @@
 #include "first_contact/motion/sweep_along.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
-#include "first_contact/geometry/unit_scale.hpp"
+#include "first_contact/response/slide.hpp"
 
 namespace first_contact {
 
-namespace {
-
-constexpr double most_chords = 1e7;
-
-}  // namespace
-
-//! [chords]
-std::vector<double> chords(const Curve& curve, double deviation) {
-  if (!(deviation > 0) || !std::isfinite(deviation))
-    refuse("sweep's deviation", deviation, "must be finite and greater than zero");
-  const double unit = unit_scale(largest_coordinate(curve));  // C'' is longer than that, by the degree
-  const double bend = longest_control_vector(derivative(derivative(scaled(curve, unit))));
-  const std::vector<double> joints = breaks(curve);
-  std::vector<double> u{0};
-  for (std::size_t i = 1; i < joints.size(); ++i) {
-    const double span = joints[i] - joints[i - 1];
-    const double needed = std::max(1.0, std::ceil(span * std::sqrt(bend / (unit * deviation) / 8)));
-    if (!(static_cast<double>(u.size()) + needed <= most_chords))
-      refuse("sweep's deviation", deviation, "too small for this curve");
-    const auto count = static_cast<std::size_t>(needed);
-    for (std::size_t k = 1; k < count; ++k)
-      u.push_back(joints[i - 1] + span * static_cast<double>(k) / static_cast<double>(count));
-    u.push_back(joints[i]);
-  }
-  return u;
+CurveSweep::CurveSweep(double radius, SphereSweep first_contact_of, double gap, double largest_coordinate)
+    : radius_(radius),
+      first_contact_of_(std::move(first_contact_of)),
+      allowed_(gap / 2),
+      rounding_(slide_gap * std::max(largest_coordinate, radius)) {
+  require_length(radius, "radius");
+  require_length(gap, "gap");
+  std::ostringstream rule;
+  rule << "must be at least 2^-32 of the scene's size, " << std::max(largest_coordinate, radius);
+  if (!(gap > 0) || gap < least_gap * std::max(largest_coordinate, radius)) refuse("gap", gap, rule.str());
 }
-//! [chords]
+
+// Is anything within the gap of it? A sphere that overlaps something meets it at once if it moves against it, and
+// one of four ways that point to the corners of a tetrahedron is against any normal.
+bool CurveSweep::is_near(const Sphere& sphere) const {
+  const double step = allowed_;
+  const std::array<Vector, 4> ways{
+      {{step, step, step}, {step, -step, -step}, {-step, step, -step}, {-step, -step, step}}};
+  return std::any_of(ways.begin(), ways.end(), [&](const Vector& way) {
+    return first_contact_of_({sphere, way}).has_value();
+  });
+}
+
+// What goes along a wall goes into it by a rounding, or not: it is led along, so that the wall does not hide what
+// is in front. Three walls hold it.
+std::optional<Contact> CurveSweep::along_straight(const Moving<Sphere>& chord) const {
+  Moving<Sphere> led = chord;
+  std::optional<Contact> contact = first_contact_of_(led);
+  for (int walls = 0; walls < 3 && contact && contact->time == 0; ++walls) {
+    const double approach = -dot(contact->normal, led.displacement);
+    if (!(approach <= rounding_)) break;
+    led.displacement += (approach + rounding_) * contact->normal;
+    contact = first_contact_of_(led);
+  }
+  return contact;
+}
+
+Glance CurveSweep::look_along(const Chord& chord) const {
+  const Moving<Sphere> grown{{chord.from, radius_ + chord.deviation}, chord.to - chord.from};
+  if (chord.straight_enough) return {along_straight(grown), true};
+  std::optional<Contact> contact = first_contact_of_(grown);
+  const bool clear = !contact && !is_near(grown.shape);
+  return {std::move(contact), clear};
+}
+
+std::optional<Contact> CurveSweep::along(const Bezier& curve, double begin, double end) const {
+  return first_along(curve, begin, end, allowed_, [this](const Chord& chord) { return look_along(chord); });
+}
+
+std::optional<Contact> sweep_along(const Curve& curve, double radius, const SphereSweep& first_contact_of,
+                                   double largest_coordinate, double gap) {
+  const double size = std::max(largest_coordinate, first_contact::largest_coordinate(curve));
+  const CurveSweep sphere(radius, first_contact_of, gap, size);
+  const std::vector<Bezier> pieces = bezier_pieces(curve);
+  const std::vector<double> joints = breaks(curve);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (auto contact = sphere.along(pieces[i], joints[i], joints[i + 1])) return contact;
+  return std::nullopt;
+}
 
 }  // namespace first_contact

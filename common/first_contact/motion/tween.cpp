@@ -9,6 +9,7 @@
 
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/motion/timing.hpp"
 
 namespace first_contact {
 
@@ -34,15 +35,10 @@ std::size_t current(const std::vector<Key>& keys, double time) {
   return static_cast<std::size_t>(std::max(next - keys.begin(), std::ptrdiff_t{1})) - 1;
 }
 
-//! [tween_part]
-// Which part of its way from key i to the next a tween has gone: exactly 0 at the one and 1 at the other. Two
-// times far apart are halved first, for their difference may overflow.
 template <class Key>
 double part_of_way(const std::vector<Key>& keys, std::size_t i, double time) {
-  const double passed = time / 2 - keys[i].time / 2, all = keys[i + 1].time / 2 - keys[i].time / 2;
-  return keys[i].easing(passed / all);
+  return Timing(keys[i].easing, keys[i].time, keys[i + 1].time).part_at(time);
 }
-//! [tween_part]
 
 }  // namespace
 

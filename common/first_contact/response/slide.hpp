@@ -1,6 +1,5 @@
 #pragma once
 #include <concepts>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -35,9 +34,6 @@ struct Slide {
   const Point& end() const { return positions.back(); }
 };
 //! [slide_result]
-
-/// The first contact of a sphere with an environment of any kind.
-using SphereSweep = std::function<std::optional<Contact>(const Moving<Sphere>&)>;
 
 /// How near to a wall a sphere stops, measured along the wall's normal, in units of the largest coordinate of
 /// the scene. A sweep places the sphere on the wall with an error of a few eps of that, moving it there adds

@@ -1,5 +1,6 @@
 #pragma once
 #include <concepts>
+#include <functional>
 #include <optional>
 #include <type_traits>
 
@@ -24,6 +25,9 @@ template <class Any, class Shape = Sphere>
 concept Obstacle = requires(const Moving<Shape>& moving, const Any& obstacle) {
   { sweep(moving, obstacle) } -> std::convertible_to<std::optional<Contact>>;
 };
+
+/// The first contact of a sphere with an environment of any kind.
+using SphereSweep = std::function<std::optional<Contact>(const Moving<Sphere>&)>;
 
 /// For messages of the compiler: which header is missing where two shapes of the library are put together.
 namespace missing {
