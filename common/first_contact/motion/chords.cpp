@@ -21,12 +21,13 @@ std::optional<Contact> search(const Bezier& curve, double begin, double end, dou
   const bool straight_enough = deviation <= allowed || halvings_left == 0;
   const Chord chord{
       curve.control_points().front(), curve.control_points().back(), begin, end, deviation, straight_enough};
-  Glance seen = look(chord);
-  if (straight_enough) {
+  const bool in_reach = deviation <= largest_length / 2 && in_range(chord.to - chord.from);
+  if (in_reach) {
+    Glance seen = look(chord);
     if (seen.contact) seen.contact->time = lerp(begin, end, seen.contact->time);
-    return seen.contact;
+    if (straight_enough) return seen.contact;
+    if (seen.clear) return std::nullopt;
   }
-  if (seen.clear) return std::nullopt;
   const double middle = lerp(begin, end, 0.5);
   const auto first = search(curve.part(0, 0.5), begin, middle, allowed, halvings_left - 1, look);
   return first ? first : search(curve.part(0.5, 1), middle, end, allowed, halvings_left - 1, look);

@@ -50,7 +50,8 @@ std::optional<Contact> CurveSweep::along_straight(const Moving<Sphere>& chord) c
 }
 
 Glance CurveSweep::look_along(const Chord& chord) const {
-  const Moving<Sphere> grown{{chord.from, radius_ + chord.deviation}, chord.to - chord.from};
+  const double radius = std::min(radius_ + chord.deviation, largest_length);
+  const Moving<Sphere> grown{{chord.from, radius}, chord.to - chord.from};
   if (chord.straight_enough) return {along_straight(grown), true};
   std::optional<Contact> contact = first_contact_of_(grown);
   const bool clear = !contact && !is_near(grown.shape);

@@ -49,8 +49,7 @@ class CurveSweep {
 /// Where it goes along at a distance within the gap it is in contact as soon as it comes nearer.
 ///
 /// \param gap  in the unit of the scene. A smaller one costs no more but where the sphere glides along something.
-/// \throws std::invalid_argument as CurveSweep does, or if a chord is out of range (contact.hpp): coordinates up to
-///     2^990 never are.
+/// \throws std::invalid_argument as CurveSweep does.
 std::optional<Contact> sweep_along(const Curve& curve, double radius, const SphereSweep& first_contact_of,
                                    double largest_coordinate, double gap);
 

@@ -29,8 +29,7 @@ inline constexpr double tween_gap = 0x1p-30;
 /// g / v early, if the sphere closes in with speed v, and late by a rounding alone. Nothing deeper than g is missed;
 /// what passes at a distance of less than g may be told as a contact.
 ///
-/// \throws std::invalid_argument if the radius is no length, or a chord is out of range (contact.hpp): coordinates
-///     up to 2^990 never are.
+/// \throws std::invalid_argument if the radius is no length, or an easing overshoots out of range (contact.hpp).
 std::optional<Contact> sweep(const Tween& tween, double radius, const SphereSweep& first_contact_of,
                              double largest_coordinate, const Interval& clock);
 
