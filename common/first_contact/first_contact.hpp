@@ -85,7 +85,10 @@
 #include "first_contact/response/slide.hpp"
 #include "first_contact/response/impact.hpp"
 
+#include "first_contact/motion/easing_formula.hpp"
 #include "first_contact/motion/easing.hpp"
+#include "first_contact/motion/easing_family.hpp"
+#include "first_contact/motion/css_easing.hpp"
 #include "first_contact/motion/timing.hpp"
 #include "first_contact/motion/curve.hpp"
 #include "first_contact/motion/through_points.hpp"

@@ -1,5 +1,6 @@
 #include "first_contact/motion/bounce.hpp"
-#include "first_contact/motion/easing.hpp"
+#include "first_contact/motion/css_easing.hpp"
+#include "first_contact/motion/easing_family.hpp"
 #include "first_contact/motion/sweep_tween.hpp"
 #include "first_contact/motion/tween.hpp"
 #include "first_contact/stage/hit_test.hpp"
@@ -85,6 +86,22 @@ void easings(Record& record) {
   for (int i = 0; i < cases / 10; ++i, record.next()) {
     const double t = dice.one_in(4) ? dice.coordinate() : dice.part();
     for (const Easing& easing : exact_easings()) record.add(easing(t));
+  }
+}
+
+void style_sheets(Record& record) {
+  Dice dice(30);
+  for (int i = 0; i < cases / 10; ++i, record.next()) {
+    const double x1 = dice.part(), y1 = dice.coordinate(), x2 = dice.part(), y2 = dice.coordinate();
+    const Easing curve = ease::cubic_bezier(x1, y1, x2, y2);
+    const Easing stairs = ease::steps(dice.whole(2, 9), static_cast<ease::Jump>(dice.pick(4)));
+    const Easing back = ease::back(dice.length());
+    for (int k = 0; k < 4; ++k) {
+      const double t = dice.part();
+      record.add(curve(t));
+      record.add(stairs(t));
+      record.add(back(t));
+    }
   }
 }
 
@@ -175,6 +192,7 @@ std::vector<Verb> motion_verbs() {
           {"paths of legs", legs},
           {"arc length", lengths},
           {"easings", easings},
+          {"easings of style sheets", style_sheets},
           {"tweens", tweens},
           {"sweep along", along_curves},
           {"sweep tween", swept_tweens},

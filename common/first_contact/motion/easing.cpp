@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "first_contact/geometry/refuse.hpp"
+#include "first_contact/motion/easing_formula.hpp"
 
 namespace first_contact {
 
@@ -63,13 +64,10 @@ double sine(double t) {
   const double half = std::sin(pi / 4 * t);
   return 2 * half * half;  // 1 - cos(pi t / 2), without its cancellation near 0
 }
-double exponential(double t) { return std::expm1(10 * std::numbers::ln2 * t) / 1023; }
+double exponential(double t) { return formula::exponential(t); }
 double circular(double t) { return t * t / (1 + std::sqrt((1 - t) * (1 + t))); }  // 1 - sqrt(1 - t^2)
-double back(double t) {
-  constexpr double overshoot = 1.70158;  // a tenth of the way
-  return t * t * (t - overshoot * (1 - t));
-}
-double elastic(double t) { return exponential(t) * std::cos(20 * pi / 3 * (1 - t)); }
+double back(double t) { return formula::back(t); }
+double elastic(double t) { return formula::elastic(t); }
 
 //! [bounce_easing]
 // A ball dropped with g = 2 from height 1 lands at time 1 with speed 2; with restitution 1/2 it lands again
