@@ -45,8 +45,11 @@ struct Path {
 
 /// A piece of the way, as one polynomial or one line.
 struct Stretch {
-  Bezier curve;     ///< the piece, in the direction in which it is gone along
-  double from, to;  ///< the parameter of the whole curve at its beginning and its end; beyond [0, 1] also
+  Bezier curve;  ///< the piece, in the direction in which it is gone along
+  ///@{
+  /// The parameter of the whole curve at its beginning and its end; beyond [0, 1] also.
+  double from, to;
+  ///@}
 };
 
 /// A path with its two ends: the place at each part of the way.

@@ -8,8 +8,14 @@ namespace first_contact {
 
 /// A span of time in which an easing only rises, or only falls.
 struct OneWay {
-  double from_time, to_time;  ///< ascending
-  double from_part, to_part;  ///< of the way, at these times
+  ///@{
+  /// Ascending.
+  double from_time, to_time;
+  ///@}
+  ///@{
+  /// Of the way, at these times.
+  double from_part, to_part;
+  ///@}
 };
 
 /// The clock of one leg: which part of the way is done at which time, and the other way round.
