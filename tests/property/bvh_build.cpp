@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
@@ -7,6 +9,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "first_contact/bvh/build/large_pages.hpp"
 #include "first_contact/bvh/build/parallel.hpp"
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/program/terrain.hpp"
@@ -18,9 +21,9 @@ namespace {
 /// Of the next requests for memory, from any thread, one fails.
 std::atomic<long> requests_until_failure{-1};
 
-void* memory(std::size_t size) {
+void* memory(std::size_t size, std::size_t unit) {
   if (requests_until_failure >= 0 && requests_until_failure-- == 0) throw std::bad_alloc();
-  if (void* block = std::malloc(size ? size : 1)) return block;
+  if (void* block = std::aligned_alloc(unit, (size / unit + 1) * unit)) return block;
   throw std::bad_alloc();
 }
 
@@ -37,9 +40,14 @@ Mesh large_terrain() {
 
 }  // namespace
 
-void* operator new(std::size_t size) { return memory(size); }
+void* operator new(std::size_t size) { return memory(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t unit) {
+  return memory(size, static_cast<std::size_t>(unit));
+}
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
 
 TEST_CASE("What a part of the work throws reaches the caller, in whatever thread it ran") {
   const unsigned threads = GENERATE(1u, 2u, 7u);
@@ -71,6 +79,20 @@ TEST_CASE("Wherever memory runs out while a tree is built, the caller is told, a
     }
   }
   CHECK(failures > 10);
+}
+
+TEST_CASE("Memory for a tree begins at a cache line, and from half a MiB on at a page of two") {
+  const std::size_t size = GENERATE(1u, 63u, 64u, (1u << 19) - 1, 1u << 19, 1u << 21, (5u << 20) + 7);
+  const auto begins_at = [](const bvh::LargeVector<unsigned char>& memory, std::uintptr_t unit) {
+    return reinterpret_cast<std::uintptr_t>(memory.data()) % unit == 0;
+  };
+  bvh::LargeVector<unsigned char> memory(size, 7);
+  memory.push_back(8);
+  memory.shrink_to_fit();
+  CAPTURE(size);
+  CHECK(begins_at(memory, size < (1u << 19) - 1 ? 64 : 1u << 21));
+  CHECK(std::count(memory.begin(), memory.end(), 7) == static_cast<std::ptrdiff_t>(size));
+  CHECK(memory.back() == 8);
 }
 
 TEST_CASE("As many contacts as spheres are asked of a batch of casts, or it is refused with both numbers") {

@@ -9,8 +9,8 @@
 ///
 /// The idea: a cast waits for memory more than it computes. Eight children to a node make the tree a third as
 /// deep as one of pairs; eight bits to a coordinate make eight boxes fit in one cache line; a leaf stores a
-/// shared vertex once, and has with it all that a cast asks of its triangles. It equals a binary tree of boxes of doubles (trees/plain_bvh.hpp), whose every box lies
-/// within the box stored here.
+/// shared vertex once, and has with it all that a cast asks of its triangles. It equals a binary tree of boxes
+/// of doubles (trees/plain_bvh.hpp), whose every box lies within the box stored here.
 ///
 /// All lengths are in the tree's own unit (\see space.hpp), in which the mesh lies between -1 and 1, so that
 /// no number here depends on the scale or the place of the mesh.
@@ -72,7 +72,8 @@ struct LeafHead {
 };
 static_assert(sizeof(LeafHead) == 40);
 
-/// A triangle of a leaf, as the mesh has it: its number, and those of its corners, each position by its lowest.
+/// A triangle of a leaf, as the mesh has it: its number, and those of its corners, each the lowest at its
+/// position.
 struct LeafFace {
   std::uint32_t number;
   std::array<std::uint32_t, 3> corner;

@@ -279,6 +279,8 @@ Node Packer::append(const Packer& part, const Node& top) {
 PackedTree Packer::finish() {
   result_.leaf_size = static_cast<float>(sum_of_sizes_ / static_cast<double>(leaf_count_));
   result_.leaves.resize(result_.leaves.size() + read_past_the_end);
+  result_.leaves.shrink_to_fit();
+  result_.nodes.shrink_to_fit();
   return std::move(result_);
 }
 

@@ -2,20 +2,21 @@
 #include <cstdint>
 #include <vector>
 
+#include "first_contact/bvh/build/large_pages.hpp"
 #include "first_contact/bvh/build/layout.hpp"
 #include "first_contact/bvh/build/split.hpp"
 #include "first_contact/bvh/build/surface.hpp"
 
 namespace first_contact::bvh {
 
-/// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends: so many units are left
-/// behind the last.
+/// A leaf's sixteen possible coordinates are read as two whole vectors, wherever it ends: so many units are
+/// left behind the last.
 inline constexpr std::size_t read_past_the_end = 64 / leaf_unit;
 
 /// The wide tree and the memory that it lies in.
 struct PackedTree {
-  std::vector<Node> nodes;
-  std::vector<LeafUnit> leaves;
+  LargeVector<Node> nodes;
+  LargeVector<LeafUnit> leaves;
   Ref root = leaf_bit;
   float leaf_size = 0;  ///< the mean of the longest side of the leaves' boxes
 

@@ -8,8 +8,8 @@
 
 namespace first_contact::bvh {
 
-/// A mesh whose vertices at the same position are one, and which triangles meet at each: what is asked while a
-/// tree is built, and not kept.
+/// A mesh whose vertices at the same position are one, and which triangles meet at each: what is asked while
+/// a tree is built, and not kept.
 ///
 /// It equals MeshEdges::representative and MeshEdges::faces_at.
 class Surface {

@@ -26,7 +26,7 @@ bool clearly_thick(const Vector& u, const Vector& v, double radius) {
 }  // namespace
 
 //! [each_face_at]
-/// Calls visit(face) for each face with two vertices, which may be the same: those of the leaves that have both.
+/// Calls visit(face) for each face that has two vertices, which may be the same, as the leaves have them.
 template <class Visit>
 void KnownSurface::each_face_at(std::uint32_t from, std::uint32_t to, const Visit& visit) const {
   for (const Ref ref : parts_.leaves_at.of(from)) {
