@@ -9,7 +9,7 @@
 #include "chance.hpp"
 #include "first_contact/geometry/bounding.hpp"
 #include "first_contact/geometry/products.hpp"
-#include "first_contact/motion/easing.hpp"
+#include "first_contact/motion/easing_family.hpp"
 #include "first_contact/motion/tween.hpp"
 
 using namespace first_contact;
@@ -24,6 +24,14 @@ const Exact pi = acos(Exact(-1));
 double error(double value, const Exact& truth) { return std::abs(static_cast<double>(value - truth)) / eps; }
 
 Exact exponential(const Exact& t) { return (pow(Exact(2), 10 * t) - 1) / 1023; }
+
+// The way of a damped oscillation towards 1, below and above the critical damping.
+Exact spring(const Exact& t, const Exact& cycles, const Exact& z) {
+  const Exact w = 2 * pi * cycles, v = w * sqrt(abs(1 - z * z));
+  const Exact c = z < 1 ? Exact(cos(v * t)) : Exact(cosh(v * t)),
+              s = z < 1 ? Exact(sin(v * t)) : Exact(sinh(v * t));
+  return 1 - exp(-z * w * t) * (c + z * w / v * s);
+}
 
 // A vector turned about a unit axis (Rodrigues).
 Eigen::Matrix<Exact, 3, 1> turned(const Vector& axis, const Exact& angle, const Vector& v) {
@@ -53,6 +61,19 @@ TEST_CASE("Easings by a sine or a power are right to 4 eps, by a spring to 24") 
     REQUIRE(error(ease::in_sine(t), 1 - cos(pi / 2 * t)) < 4);
     REQUIRE(error(ease::in_exponential(t), exponential(t)) < 4);
     REQUIRE(error(ease::in_elastic(t), exponential(t) * cos(20 * pi / 3 * (1 - Exact(t)))) < 24);
+  }
+}
+
+TEST_CASE("A power is right to 4 eps, a spring to 64 and 16 more for each of its cycles") {
+  const std::uint64_t seed = 1406;
+  Chance chance(seed);
+  for (int i = 0; i < 1000; ++i) {
+    const double t = chance.uniform(0, 1), cycles = chance.log_uniform(0.5, 64),
+                 z = chance.log_uniform(0.05, 4);
+    CAPTURE(seed, i, t, cycles, z);
+    REQUIRE(error(ease::power(z)(t), pow(Exact(t), Exact(z))) < 4);
+    REQUIRE(error(ease::spring(cycles, z)(t), spring(t, cycles, z) / spring(1, cycles, z)) <
+            64 + 16 * cycles);
   }
 }
 

@@ -24,12 +24,14 @@ std::string text_of(const fs::path& file) {
 
 TEST_CASE("A sine, a power or a logarithm of the C library is asked for in these files alone") {
   const std::set<std::string> known{
-      "geometry/bounding.cpp",    // principal_box: Eigen's eigenvectors
-      "geometry/transform.cpp",   // perspective, and a turn by an angle
-      "motion/bounce.cpp",        // after the first impact
-      "motion/easing.cpp",        // sine, exponential, elastic, and damp
-      "motion/tween.cpp",         // turns at constant speed
-      "pairs/first_contacts.cpp"  // into how many pieces motions are cut, not what is found
+      "geometry/bounding.cpp",      // principal_box: Eigen's eigenvectors
+      "geometry/transform.cpp",     // perspective, and a turn by an angle
+      "motion/bounce.cpp",          // after the first impact
+      "motion/easing.cpp",          // sine, and damp
+      "motion/easing_family.cpp",   // power
+      "motion/easing_formula.cpp",  // exponential, elastic, spring
+      "motion/tween.cpp",           // turns at constant speed
+      "pairs/first_contacts.cpp"    // into how many pieces motions are cut, not what is found
   };
   const std::regex function(
       R"(std::(sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot)\()"
@@ -47,8 +49,8 @@ TEST_CASE("A sine, a power or a logarithm of the C library is asked for in these
 TEST_CASE("The README names each answer that the C library may round in its own way") {
   const std::string readme = text_of(project / "README.md");
   for (const std::string name :
-       {"`sine`", "`exponential`", "`elastic`", "`damp`", "`Rigid::turned`", "`RigidTween`",
-        "`Turning<Mesh>`", "`Transform::perspective`", "`Bounce`", "`principal_box`"}) {
+       {"`sine`", "`exponential`", "`elastic`", "`power`", "`spring`", "`damp`", "`Rigid::turned`",
+        "`RigidTween`", "`Turning<Mesh>`", "`Transform::perspective`", "`Bounce`", "`principal_box`"}) {
     CAPTURE(name);
     CHECK(readme.find(name) != std::string::npos);
   }
