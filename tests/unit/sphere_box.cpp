@@ -75,6 +75,30 @@ TEST_CASE("A sphere that overlaps a box's edge or vertex is judged along the way
   CHECK(cast(brick, {2.25, 1.25, 1.25}, {0, 0, 0}, 1)->feature == Feature::vertex);
 }
 
+TEST_CASE(
+    "A sphere that overlaps an edge with a vertex in reach leaves along the edge, whichever its axis is, "
+    "also of a rod") {
+  const Box cube{{0, 0, 0}, 2 * x, 2 * y, 2 * z};
+  for (const int axis : {0, 1, 2}) {
+    const auto along = [axis](double a, double b, double c) {  // a along the axis
+      const Vector v(a, b, c);
+      return Vector(v[(3 - axis) % 3], v[(4 - axis) % 3], v[(5 - axis) % 3]);
+    };
+    const Sphere over_edge{along(0.8, 1.2, 1.2),
+                           0.5};                       // .28 from the edge, .35 from the vertex where it ends
+    const Sphere over_rod{along(0.8, 0.2, 0.2), 0.5};  // likewise
+    const Vector end = along(2, 0, 0);
+    const Box rod{{0, 0, 0}, end.cwiseProduct(x), end.cwiseProduct(y), end.cwiseProduct(z)};
+    INFO("axis " << axis);
+    for (const auto& [sphere, box] : {std::pair{over_edge, cube}, std::pair{over_rod, rod}}) {
+      CHECK_FALSE(sweep(Moving{sphere, along(1, 0.05, 0.05)}, box));
+      const auto deeper = sweep(Moving{sphere, along(1, -0.05, -0.05)}, box);
+      REQUIRE(deeper);
+      CHECK(deeper->feature == Feature::edge);
+      CHECK(deeper->time == 0);
+    }
+  }
+}
 TEST_CASE("In the middle of a box the normal is against the motion") {
   const auto contact = cast(brick, {0, 0, 0}, {0, 0, -3}, 0.5);
   REQUIRE(contact);
