@@ -31,7 +31,10 @@ for (const chapter of chapters) {
 const generated = {map: chapterMap(), chapters: chapterList(), exercises: exerciseList(), bibliography: bibliography(),
                    'paper-map': paperTable(), errata: errataTable(),
                    library: libraryTable((words) => prose(words, 'library.md'))};
-for (const page of otherPages) writeFileSync(join(pages, page.id + '.md'), weave({...page, generated, text: page.isMuseum ? museumText() : undefined}));
+for (const page of otherPages) {
+  const text = page.isMuseum ? museumText() : undefined;
+  writeFileSync(join(pages, page.id + '.md'), weave({...page, generated, text}));
+}
 stopIfWrong('weaving the pages');
 
 runDoxygen();

@@ -65,7 +65,7 @@ void tell_known(std::ostream& out, const Known& known) {
 }
 
 void tell_question(std::ostream& out, const Verdict& verdict) {
-  const auto& [kind, probes, failed, probe, reply, known] = verdict;
+  const auto& [kind, probes, failed, nearly, probe, reply, known] = verdict;
   if (kind == Verdict::Kind::constant)
     row(out, "as shipped",
         "the same answer to everything, " + shown(reply.value) +
@@ -78,6 +78,11 @@ void tell_question(std::ostream& out, const Verdict& verdict) {
     row(out, "ask",
         "not a number (NaN) came out: where is 0 divided by 0, 0 multiplied by infinity, or the root of a "
         "negative number taken?");
+  else if (nearly)
+    row(out, "ask",
+        "all is nearly right, and no more: is something a float, a rounded constant, a tolerance, a search "
+        "that ends "
+        "too early?");
   else if (probe.purpose.empty())
     row(out, "ask",
         "this is the smallest of the random inputs that go wrong. Draw it: what is special about it?");
@@ -102,7 +107,7 @@ std::map<std::string, std::string> head_of(const std::string& file) {
 }
 
 void tell(std::ostream& out, const Sheet& sheet, const Verdict& verdict) {
-  const auto& [kind, probes, failed, probe, reply, known] = verdict;
+  const auto& [kind, probes, failed, nearly, probe, reply, known] = verdict;
   if (kind == Verdict::Kind::right) {
     row(out, "right", "all " + std::to_string(probes) + " probes, to within " + sheet.tolerance + ".");
     return;

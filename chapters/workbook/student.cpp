@@ -132,7 +132,7 @@ bool Student::receive(std::string& line) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds_);
   line.clear();
-  for (std::size_t at; (at = unread_.find('\n')) == std::string::npos;) {
+  while (unread_.find('\n') == std::string::npos) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
     pollfd waiting{answers_, POLLIN, 0};
     if (left <= 0 || unread_.size() > longest_answer || poll(&waiting, 1, static_cast<int>(left)) == 0)

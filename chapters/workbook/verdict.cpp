@@ -7,8 +7,15 @@
 namespace workbook {
 namespace {
 
+constexpr double a_little = 1e-3;
+
 bool is_right(const Sheet& sheet, const Probe& probe, const Value& answer) {
   return same(answer, probe.right, sheet.sameness(probe.input));
+}
+bool is_nearly_right(const Sheet& sheet, const Probe& probe, const Value& answer) {
+  Sameness loose = sheet.sameness(probe.input);
+  loose.tolerance = a_little;
+  return same(answer, probe.right, loose);
 }
 
 // The same answer to inputs whose right answers differ.
@@ -51,10 +58,10 @@ Verdict examine(const Sheet& sheet, const std::vector<Known>& known, const Ask& 
   for (const Probe& probe : probes) {
     const Reply reply = ask(probe.input);
     if (reply.kind != Reply::Kind::answer)
-      return {Verdict::Kind::broken, probes.size(), 1, probe, reply, nullptr};
+      return {Verdict::Kind::broken, probes.size(), 1, false, probe, reply, nullptr};
     answers.push_back(reply.value);
     if (is_right(sheet, probe, reply.value)) continue;
-    ++verdict.failed;
+    verdict.nearly = (verdict.failed++ == 0 || verdict.nearly) && is_nearly_right(sheet, probe, reply.value);
     if (!first) first = &probe;
   }
   if (!first) return verdict;

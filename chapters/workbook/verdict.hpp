@@ -28,8 +28,9 @@ struct Verdict {
   };
   Kind kind = Kind::right;
   std::size_t probes = 0, failed = 0;
-  Probe probe;  ///< the plainest chosen one that fails, or the smallest of the random ones
-  Reply reply;  ///< to it
+  bool nearly = false;  ///< what fails is off by less than a thousandth
+  Probe probe;          ///< the plainest chosen one that fails, or the smallest of the random ones
+  Reply reply;          ///< to it
   const Known* known = nullptr;
 };
 

@@ -59,6 +59,7 @@ export const otherPages = [
   {id: 'workbook', title: 'The workbook', isWorkbook: true},
   ...exercises,
   {id: 'museum', title: 'The museum of published mistakes', isMuseum: true},
+  {id: 'instructor', title: 'For the instructor'},
   {id: 'papermap', title: 'Paper map'},
   {id: 'errata', title: 'Errata of the paper'},
   {id: 'glossary', title: 'Glossary 詞彙'},

@@ -1,6 +1,5 @@
 // The museum: published mistakes, each with what went wrong, where, its code in our words, its picture, what a player saw,
 // what kills it, and the chapter that explains it. Those of the workbook's catalogue say of themselves what they are.
-import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {chapters, data, exercises, filesBelow, fromRoot, read, root} from './book.mjs';
 

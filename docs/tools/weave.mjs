@@ -233,12 +233,24 @@ for (const [type, make] of Object.entries(becomes))
 /// A sentence from one of the data files as HTML. \param file  where it stands, for complaints
 export const prose = (text, file) => new Page(file, join(docs, 'pages', file), null, text).asHtml(text, 1);
 
+// The folded answers of a chapter move to the end of its page, where nobody reads them by accident.
+function answersLast(text, id) {
+  const answers = [];
+  const questions = text.replace(
+      /^\*\*(\d+)\.\*\*([\s\S]*?)<details>\n<summary>Answer<\/summary>\n([\s\S]*?)<\/details>$/gm, (_, n, question, answer) => {
+        answers.push(`### Answer ${n}\n\n${answer.trim()}\n`);
+        return `**${n}.**${question}[Answer ${n}](#${id.replaceAll('_', '-')}-answer-${n})`;
+      });
+  return answers.length ? `${questions}\n## Answers\n\n${answers.join('\n')}` : text;
+}
+
 /// One page for Doxygen. \param head  its title, and the HTML that follows it; \param foot  the HTML at its end
 export function weave({id, source, chapter, title, folders, text, head = '', foot = '', generated = {}}) {
   const page = new Page(id, source, chapter, text);
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
   if (first?.[1] !== title) complain(`${page.name}:1`, `the first line must be "# ${title}"`);
+  if (chapter) page.text = answersLast(page.text, id);
   const label = id === 'index' ? '{#mainpage}' : `{#${id.replaceAll('_', '-')}}`;
   const body = page.body();
   if (folders) checkPage({folders, source}, page.filesShown);
