@@ -38,6 +38,7 @@ build_judges_parts() {
     object=$made/$source.o
     is_newer "$object" chapters/workbook/*.hpp "chapters/workbook/$source.cpp" && continue
     ((running > 0)) || say "Building what judges, once ..."
+    rm -f "$object"
     { compile -c "chapters/workbook/$source.cpp" -o "$object.$$" && mv "$object.$$" "$object"; } &
     running=$((running + 1))
     ((running % 2)) || wait

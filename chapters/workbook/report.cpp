@@ -5,6 +5,7 @@
 namespace workbook {
 namespace {
 
+constexpr double beyond_doubt = 0.1;
 constexpr std::size_t width = 110, indent = 14, most_printed = 400;
 
 // A line of the report: its name on the left, its words wrapped beside it.
@@ -21,10 +22,10 @@ void row(std::ostream& out, std::string name, const std::string& words) {
   }
 }
 
-std::string what_came(const Reply& reply) {
+std::string what_came(const Reply& reply, double step) {
   switch (reply.kind) {
     case Reply::Kind::answer:
-      return shown(reply.value);
+      return shown(rounded(reply.value, step));
     case Reply::Kind::crashed:
       return "a crash (" + reply.words + ")";
     case Reply::Kind::endless:
@@ -115,8 +116,11 @@ void tell(std::ostream& out, const Sheet& sheet, const Verdict& verdict) {
   row(out, "asked", sheet.asked);
   row(out, "input", told(sheet, probe.input));
   if (!probe.purpose.empty()) row(out, "which is", probe.purpose);
-  row(out, "expected", shown(probe.right));
-  row(out, "got", what_came(reply));
+  const Sameness sameness = sheet.sameness(probe.input);
+  const double step =
+      beyond_doubt * sameness.tolerance * sameness.unit;  // smaller differences are nobody's fault
+  row(out, "expected", shown(rounded(probe.right, step)));
+  row(out, "got", what_came(reply, step));
   if (reply.kind == Reply::Kind::answer && !reply.words.empty())
     row(out, "you printed", reply.words.substr(0, most_printed));
   tell_question(out, verdict);

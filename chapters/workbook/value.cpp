@@ -102,6 +102,15 @@ std::string shown(const Value& value) {
   return {text, end};
 }
 
+Value rounded(const Value& value, double step) {
+  Value result = value;
+  const double unit = std::pow(10, std::ceil(-std::log10(step)));
+  const double number = std::round(value.number * unit) / unit;
+  if (value.kind == Value::Kind::number && std::isfinite(number)) result.number = number;
+  for (Value& part : result.parts) part = rounded(part, step);
+  return result;
+}
+
 std::vector<double> numbers_in(const Value& value) {
   if (value.kind == Kind::nothing) return {};
   if (value.kind != Kind::group && value.kind != Kind::list) return {value.number};

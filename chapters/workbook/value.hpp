@@ -20,6 +20,8 @@ Value read_value(const std::string& line);
 
 /// For a reader: shortest digits, (1, 2, 3) for a group, [1, 2] for a list, "nothing".
 std::string shown(const Value& value);
+/// The same value with its numbers rounded to multiples of a power of ten that is below `step`.
+Value rounded(const Value& value, double step);
 
 /// The largest of all numbers in it, without signs.
 double largest_number(const Value& value);

@@ -45,7 +45,7 @@ function exhibit(entry, known) {
   const own = entry.code ? undefined : known.get(entry.wrong);
   if (!entry.code && !own) throw new Error(`museum.json: ${entry.wrong} is no wrong answer that says where it was seen`);
   const exercise = own && exercises.find(({name}) => name === entry.wrong.split('/')[0]);
-  const what = own ? own.head['Looks like'] : entry.wrong;
+  const told = own ? own.head['Looks like'] : entry.wrong, what = told[0].toUpperCase() + told.slice(1);
   const where = own ? own.head['Seen in'] : entry.sources.join('; ');
   const code = own ? fromRoot(own.file).replace('chapters/', '') : entry.code.join(' ').trim();
   const killed = own ? `[${exercise.title}](../../${fromRoot(exercise.source)}) names it, and the test of that exercise kills it.`

@@ -14,7 +14,7 @@ inline std::optional<double> judge(double from, double to, double r, Easing easi
 inline Exercise<Signature> exercise() {
   Exercise<Signature> probes;
   probes.asked = "the time at which the ball first touches the floor, or nothing";
-  probes.names = {"from", "to", "r", "easing"};
+  probes.names = {"from", "to", "r", "easing (0: in, 1: out, 2: in_out)"};
   probes.chosen = {
       {"slow at the beginning", {5, -3, 1, Easing::in}},
       {"slow at the end", {5, -3, 1, Easing::out}},
