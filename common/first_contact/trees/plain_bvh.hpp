@@ -52,13 +52,13 @@ std::optional<Contact> sweep(const Moving<Sphere>& moving, const PlainBvh& tree)
 //! [visit_plain_bvh]
 template <class Consider>
 void PlainBvh::visit(const Moving<Sphere>& moving, const Consider& consider) const {
-  struct Entry {
+  struct Waiting {
     const BoxTreeNode* node;
     double time;
   };
   const Path path(moving);
   double latest = 1;
-  std::vector<Entry> waiting;
+  std::vector<Waiting> waiting;
   const auto push = [&](const BoxTreeNode& node, double time) {
     if (time <= latest) waiting.push_back({&node, time});
   };
