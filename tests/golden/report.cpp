@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "catch.hpp"
 #include "places.hpp"
 #include "run_program.hpp"
@@ -17,7 +19,17 @@ void check_report(const Chapter& chapter, const std::string& language, const std
 
 }  // namespace
 
-TEST_CASE("There are eight chapters") { CHECK(all_chapters().size() == 8); }
+TEST_CASE("The chapters are those that the notes list, in their order, from the first eight on") {
+  const auto listed = nlohmann::json::parse(
+      content_of(std::filesystem::path(first_contact::places::source) / "docs/chapters.json"));
+  const std::vector<Chapter> chapters = all_chapters();
+  CHECK(chapters.size() >= 8);
+  REQUIRE(chapters.size() == listed.size());
+  for (std::size_t i = 0; i < chapters.size(); ++i) {
+    CHECK(chapters[i].folder == listed[i]["folder"]);
+    CHECK(chapters[i].program == listed[i]["program"]);
+  }
+}
 
 TEST_CASE("Each chapter prints the report that stands beside it") {
   for (const Chapter& chapter : all_chapters()) check_report(chapter, "en", ".expected");
