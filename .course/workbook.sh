@@ -51,9 +51,9 @@ build_judges_parts() {
 write_catalogue() {
   local n=0 file list=""
   for file in "$@"; do
+    list+="KNOWN(\"$file\", known_$n) "  # from the root on, where the judge runs: a copy may be moved
     [[ "$file" == /* ]] || file=$root/$file
     printf 'namespace known_%d {\n#include "%s"\n}\n' "$n" "$file"
-    list+="KNOWN(\"$file\", known_$n) "
     n=$((n + 1))
   done
   printf 'inline std::vector<Known> catalogue() { return {%s}; }\n' "$list"

@@ -29,6 +29,8 @@ check "a style that is not there is refused" refused figures --style no-such-sty
 check "the book's own figures are not overwritten by others" refused figures --format pdf --into figures
 check "an unknown program is refused" refused run chess
 check "an unknown command is refused" refused draw
+check "a program that takes no exercise is refused" refused run slide --mine
+check "a copy that is none is refused" refused run plane --mine=/no-such-folder
 
 say() { printf '%s\n' "$*"; }
 root=$PWD

@@ -42,7 +42,7 @@ Value read_from(std::istream& words) {
 
 bool same_number(double a, double b, const Sameness& sameness) {
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
-  if (a == b) return true;
+  if (a == b || std::isinf(a) || std::isinf(b)) return a == b;
   return std::abs(a - b) <= sameness.tolerance * std::max({std::abs(a), std::abs(b), sameness.unit});
 }
 
