@@ -43,7 +43,8 @@ void curves(Record& record) {
 void through_points(Record& record) {
   Dice dice(27);
   for (int i = 0; i < cases / 10; ++i, record.next()) {
-    std::vector<Point> points = control_points(dice, dice.whole(2, 6), dice.scale());
+    const auto count = dice.whole(2, 6);
+    std::vector<Point> points = control_points(dice, count, dice.scale());
     if (dice.one_in(4)) points.push_back(points.back());
     const auto knots = static_cast<Knots>(dice.pick(3));
     record.add(at(catmull_rom(points, knots), dice.part()));
@@ -94,7 +95,8 @@ void style_sheets(Record& record) {
   for (int i = 0; i < cases / 10; ++i, record.next()) {
     const double x1 = dice.part(), y1 = dice.coordinate(), x2 = dice.part(), y2 = dice.coordinate();
     const Easing curve = ease::cubic_bezier(x1, y1, x2, y2);
-    const Easing stairs = ease::steps(dice.whole(2, 9), static_cast<ease::Jump>(dice.pick(4)));
+    const auto count = dice.whole(2, 9);
+    const Easing stairs = ease::steps(count, static_cast<ease::Jump>(dice.pick(4)));
     const Easing back = ease::back(dice.length());
     for (int k = 0; k < 4; ++k) {
       const double t = dice.part();
@@ -141,8 +143,10 @@ void swept_tweens(Record& record) {
   Dice dice(29);
   for (int i = 0; i < cases / 10; ++i, record.next()) {
     const Tween motion = tween(dice);
-    record.add(sweep(motion, 0.25 * dice.length(), plane(dice, 1)));
-    record.add(sweep(motion, 0.25 * dice.length(), triangle(dice, 1)));
+    const double radius = 0.25 * dice.length();
+    const Plane floor = plane(dice, 1);
+    record.add(sweep(motion, radius, floor));
+    record.add(sweep(motion, radius, triangle(dice, 1)));
   }
 }
 
