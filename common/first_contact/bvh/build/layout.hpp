@@ -102,7 +102,7 @@ inline const LeafHead& leaf_at(const LeafUnit* leaves, Ref ref) {
 inline const float* coordinates(const LeafHead& leaf) { return reinterpret_cast<const float*>(&leaf + 1); }
 /// The numbers of its vertices.
 inline const std::uint32_t* vertex_numbers(const LeafHead& leaf) {
-  return reinterpret_cast<const std::uint32_t*>(&leaf + 1) + 3 * leaf.vertices;
+  return reinterpret_cast<const std::uint32_t*>(&leaf + 1) + std::size_t{3} * leaf.vertices;
 }
 /// How many units it takes.
 inline std::uint32_t units_of(const LeafHead& leaf) {
