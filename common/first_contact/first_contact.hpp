@@ -56,6 +56,8 @@
 #include "first_contact/sweep/known_environment.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/turning_mesh.hpp"
+#include "first_contact/sweep/course.hpp"
+#include "first_contact/sweep/turning_plane.hpp"
 #include "first_contact/sweep/interval.hpp"
 #include "first_contact/sweep/contact_times.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
@@ -84,6 +86,7 @@
 
 #include "first_contact/response/slide.hpp"
 #include "first_contact/response/impact.hpp"
+#include "first_contact/response/rebound.hpp"
 
 #include "first_contact/motion/easing_formula.hpp"
 #include "first_contact/motion/easing.hpp"
@@ -94,10 +97,15 @@
 #include "first_contact/motion/through_points.hpp"
 #include "first_contact/motion/arc_length.hpp"
 #include "first_contact/motion/path.hpp"
+#include "first_contact/motion/keys.hpp"
 #include "first_contact/motion/tween.hpp"
+#include "first_contact/motion/rigid_tween.hpp"
 #include "first_contact/motion/chords.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/motion/sweep_tween.hpp"
+#include "first_contact/motion/sweep_rigid.hpp"
+#include "first_contact/motion/play.hpp"
+#include "first_contact/motion/squash.hpp"
 #include "first_contact/motion/bounce.hpp"
 
 #include "first_contact/stage/hit_test.hpp"

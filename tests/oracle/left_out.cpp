@@ -10,7 +10,8 @@
 #include "first_contact/geometry/bounding.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/motion/easing_family.hpp"
-#include "first_contact/motion/tween.hpp"
+#include "first_contact/motion/rigid_tween.hpp"
+#include "first_contact/motion/squash.hpp"
 
 using namespace first_contact;
 
@@ -74,6 +75,18 @@ TEST_CASE("A power is right to 4 eps, a spring to 64 and 16 more for each of its
     REQUIRE(error(ease::power(z)(t), pow(Exact(t), Exact(z))) < 4);
     REQUIRE(error(ease::spring(cycles, z)(t), spring(t, cycles, z) / spring(1, cycles, z)) <
             64 + 16 * cycles);
+  }
+}
+
+TEST_CASE("A stretch that is eased is right to 4 eps of itself") {
+  const std::uint64_t seed = 1407;
+  Chance chance(seed);
+  for (int i = 0; i < 1000; ++i) {
+    const double a = chance.log_uniform(0.01, 100), b = chance.log_uniform(0.01, 100),
+                 t = chance.uniform(0, 1);
+    const Exact truth = a * pow(Exact(b) / a, Exact(t));
+    CAPTURE(seed, i, a, b, t);
+    REQUIRE(error(eased_stretch(a, b, ease::linear, t), truth) < 4 * static_cast<double>(truth));
   }
 }
 

@@ -30,7 +30,8 @@ TEST_CASE("A sine, a power or a logarithm of the C library is asked for in these
       "motion/easing.cpp",          // sine, and damp
       "motion/easing_family.cpp",   // power
       "motion/easing_formula.cpp",  // exponential, elastic, spring
-      "motion/tween.cpp",           // turns at constant speed
+      "motion/rigid_tween.cpp",     // turns at constant speed
+      "motion/squash.cpp",          // a stretch that is eased
       "pairs/first_contacts.cpp"    // into how many pieces motions are cut, not what is found
   };
   const std::regex function(
@@ -48,9 +49,9 @@ TEST_CASE("A sine, a power or a logarithm of the C library is asked for in these
 
 TEST_CASE("The README names each answer that the C library may round in its own way") {
   const std::string readme = text_of(project / "README.md");
-  for (const std::string name :
-       {"`sine`", "`exponential`", "`elastic`", "`power`", "`spring`", "`damp`", "`Rigid::turned`",
-        "`RigidTween`", "`Turning<Mesh>`", "`Transform::perspective`", "`Bounce`", "`principal_box`"}) {
+  for (const std::string name : {"`sine`", "`exponential`", "`elastic`", "`power`", "`spring`", "`damp`",
+                                 "`Rigid::turned`", "`RigidTween`", "`eased_stretch`", "`Turning<Mesh>`",
+                                 "`Transform::perspective`", "`Bounce`", "`principal_box`"}) {
     CAPTURE(name);
     CHECK(readme.find(name) != std::string::npos);
   }

@@ -1,7 +1,6 @@
 #include "first_contact/motion/tween.hpp"
 
 #include <limits>
-#include <numbers>
 
 #include "catch.hpp"
 
@@ -90,41 +89,4 @@ TEST_CASE("Key frames are refused if there are none, or times do not ascend, or 
 TEST_CASE("A refused key frame is named, with its value and the rule") {
   CHECK_THROWS_WITH(Tween({{0.5, {0, 0, 0}}, {0.25, {1, 0, 0}}}),
                     "tween's key frame 1, time 0.25: must be later than the one before");
-}
-
-TEST_CASE("A rigid tween turns at constant angular speed, by the shorter way, and hits its poses") {
-  const auto about_z = [](double angle) {
-    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vector::UnitZ()));
-  };
-  const double pi = std::numbers::pi;
-  Eigen::Quaterniond far = about_z(pi / 2);
-  far.coeffs() *= -3;  // the same orientation, not of unit length, and on the long way round
-  const RigidTween tween({{0, {1, 0, 0}, about_z(0)}, {1, {3, 2, 0}, far}});
-  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    const Rigid pose = tween.at(t);
-    CHECK((pose.rotation() - about_z(t * pi / 2).toRotationMatrix()).norm() < 1e-14);
-    CHECK((pose.translation() - Vector(1 + 2 * t, 2 * t, 0)).norm() == 0);
-  }
-  CHECK(tween.at(-1).translation() == Vector(1, 0, 0));
-  CHECK(tween.at(9).translation() == Vector(3, 2, 0));
-}
-
-TEST_CASE("Between two poses a body stays rigid, where tweening the matrices' entries would shrink it") {
-  const Eigen::Quaterniond a(1, 0, 0, 0), b(0.1, 0.3, -0.8, 0.4);
-  const RigidTween tween({{0, {0, 0, 0}, a}, {1, {1, 0, 0}, b}});
-  for (double t = 0; t <= 1; t += 0.125) {
-    const Matrix m = tween.at(t).transform().matrix();
-    CHECK(
-        (m.topLeftCorner<3, 3>() * m.topLeftCorner<3, 3>().transpose() - Eigen::Matrix3d::Identity()).norm() <
-        1e-14);
-    CHECK(m.row(3) == Eigen::RowVector4d(0, 0, 0, 1));
-  }
-  const Eigen::Matrix3d entries = 0.5 * (tween.at(0).rotation() + tween.at(1).rotation());
-  CHECK(entries.determinant() < 0.5);
-}
-
-TEST_CASE("A rigid tween refuses an orientation that is zero") {
-  CHECK_THROWS_AS(RigidTween({{0, {0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 0)}}), std::invalid_argument);
-  CHECK_THROWS_AS(RigidTween({{0, {0, 0, 0}, Eigen::Quaterniond(not_a_number, 0, 0, 0)}}),
-                  std::invalid_argument);
 }

@@ -68,6 +68,7 @@ Curve Path::from_to(const Point& a, const Point& b) const {
 
 Leg::Leg(const Path& path, const Point& a, const Point& b) : curve_(path.from_to(a, b)) {
   if (path.constant_speed) by_length_.emplace(curve_);
+  if (by_length_ && by_length_->total() == 0) by_length_.reset();  // nowhere to be fast or slow
 }
 
 double Leg::part(double u) const {

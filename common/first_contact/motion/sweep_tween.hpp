@@ -16,6 +16,12 @@ namespace first_contact {
 /// \see tests/oracle/sweep_tween.cpp
 inline constexpr double tween_gap = 0x1p-30;
 
+/// A linear map of places: where a tween is at p, it is taken to be at `linear` p + `shift`.
+struct Bend {
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Vector shift = Vector::Zero();
+};
+
 /// First contact of a sphere whose centre is where the tween is, within an interval of time; the interval and the
 /// time of the contact are on the tween's own clock.
 ///
@@ -29,9 +35,10 @@ inline constexpr double tween_gap = 0x1p-30;
 /// g / v early, if the sphere closes in with speed v, and late by a rounding alone. Nothing deeper than g is missed;
 /// what passes at a distance of less than g may be told as a contact.
 ///
+/// \param bend  of the tween's places, which makes none of its ways longer (play.hpp)
 /// \throws std::invalid_argument if the radius is no length, or an easing overshoots out of range (contact.hpp).
 std::optional<Contact> sweep(const Tween& tween, double radius, const SphereSweep& first_contact_of,
-                             double largest_coordinate, const Interval& clock);
+                             double largest_coordinate, const Interval& clock, const Bend& bend = {});
 
 /// The same for whatever `sweep(moving, obstacle)` and `largest_coordinate(obstacle)` are written for, so for what
 /// stays where it is.

@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "first_contact/geometry/transform.hpp"
 #include "first_contact/motion/easing.hpp"
 #include "first_contact/motion/path.hpp"
 
@@ -50,30 +49,5 @@ class Tween {
 /// it goes on that way still follows from the times and the easings.
 /// \throws std::invalid_argument as catmull_rom does.
 std::vector<KeyFrame> smooth(std::vector<KeyFrame> keys, Knots knots = Knots::centripetal);
-
-/// A pose of a rigid body at a time.
-struct Pose {
-  double time;                   ///< later than that of the pose before
-  Point position;                ///< of the body's origin
-  Quaternion orientation;        ///< of any length but 0
-  Easing easing = ease::linear;  ///< of the way to the next
-};
-
-/// A rigid motion through key poses: straight lines for the position, and for the orientation the shortest
-/// turn at constant angular speed (Shoemake's slerp). Every pose in between is a rigid motion again, a 4x4
-/// homogeneous matrix (paper, 2.4.2): it turns and moves and never shears, as tweening the entries of two
-/// matrices would.
-class RigidTween {
- public:
-  /// Orientations are divided by their length.
-  /// \throws std::invalid_argument as Tween does, and if an orientation is zero or not finite.
-  explicit RigidTween(std::vector<Pose> poses);
-
-  /// The motion from the origin to the pose of that time.
-  Rigid at(double time) const;
-
- private:
-  std::vector<Pose> poses_;
-};
 
 }  // namespace first_contact

@@ -1,0 +1,67 @@
+#include "first_contact/motion/play.hpp"
+
+#include <algorithm>
+
+#include "first_contact/geometry/products.hpp"
+#include "first_contact/motion/keys.hpp"
+
+namespace first_contact {
+
+namespace {
+
+// The direction of the tween's motion at a time between two keys, before it is bent; zero where it stands still.
+Vector direction_at(const Tween& tween, double time) {
+  const std::size_t last = tween.legs().size() - 1, i = std::min(keys::current(tween.keys(), time), last);
+  const Leg& leg = tween.legs()[i];
+  const double begin = tween.keys()[i].time, end = tween.keys()[i + 1].time;
+  const Timing timing(tween.keys()[i].easing, begin, end);
+  const Interval all(begin, end);
+  const std::vector<OneWay> ways = timing.ways(all);
+  const auto now =
+      std::find_if(ways.begin(), ways.end(), [&](const OneWay& way) { return time < way.to_time; });
+  const OneWay& way = now != ways.end() ? *now : ways.back();
+  const double u = std::clamp(leg.parameter(timing.part_at(time)), 0.0, 1.0);
+  const Vector forwards = normalized(at(derivative(scaled(leg.curve(), 1)), u));
+  return way.from_part <= way.to_part ? forwards : Vector(-forwards);
+}
+
+}  // namespace
+
+Eigen::Matrix3d After::map(const Vector& motion, const Vector& normal) const {
+  return kind_ == Kind::stop ? Eigen::Matrix3d::Zero() : rebound(motion, normal, surface_);
+}
+
+Point Played::at(double time) const {
+  const Point place = tween_.at(time);
+  const auto next =
+      std::find_if(bends_.begin(), bends_.end(), [&](const Turned& turned) { return turned.since > time; });
+  if (next == bends_.begin()) return place;
+  return product(next[-1].bend.linear, place) + next[-1].bend.shift;
+}
+
+void Played::bend_at(const Contact& contact, const After& after) {
+  const Bend before = bends_.empty() ? Bend() : bends_.back().bend;
+  const Point here = product(before.linear, tween_.at(contact.time)) + before.shift;
+  const Vector motion = product(before.linear, direction_at(tween_, contact.time));
+  const Eigen::Matrix3d map = after.map(motion, contact.normal);
+  const Vector from_here = before.shift - here;
+  bends_.push_back({contact.time, {product(map, before.linear), here + product(map, from_here)}});
+  contacts_.push_back(contact);
+}
+
+Played play(const Tween& tween, double radius, const SphereSweep& first_contact_of, double largest_coordinate,
+            const After& after, int most_contacts) {
+  Played played(tween);
+  double time = tween.begin();
+  Bend bend;
+  while (const auto contact =
+             sweep(tween, radius, first_contact_of, largest_coordinate, Interval(time, tween.end()), bend)) {
+    const bool last = static_cast<int>(played.contacts_.size()) + 1 >= most_contacts;
+    played.bend_at(*contact, last ? After::stop() : after);
+    bend = played.bends_.back().bend;
+    time = contact->time;
+  }
+  return played;
+}
+
+}  // namespace first_contact

@@ -1,0 +1,33 @@
+#include "first_contact/motion/squash.hpp"
+
+#include <cmath>
+
+#include "first_contact/geometry/refuse.hpp"
+
+namespace first_contact {
+
+namespace {
+
+void require_stretch(double stretch) {
+  if (!(stretch >= 0x1p-100 && stretch <= 0x1p100)) refuse("stretch", stretch, "must be in 2^-100 .. 2^100");
+}
+
+}  // namespace
+
+Eigen::Matrix3d squash(const Vector& axis, double stretch) {
+  require_finite(axis, "axis");
+  if (axis.isZero(0)) refuse("axis 0, 0, 0", "must not be zero");
+  require_stretch(stretch);
+  const Vector n = normalized(axis);
+  const double wide = 1 / std::sqrt(stretch);
+  const Eigen::Matrix3d along = n * n.transpose();
+  return wide * (Eigen::Matrix3d::Identity() - along) + stretch * along;
+}
+
+double eased_stretch(double a, double b, const Easing& easing, double part) {
+  require_stretch(a);
+  require_stretch(b);
+  return a * std::pow(b / a, easing(part));
+}
+
+}  // namespace first_contact
