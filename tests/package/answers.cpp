@@ -9,6 +9,7 @@
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/geometry/frustum.hpp"
 #include "first_contact/geometry/triangle_distance.hpp"
+#include "first_contact/motion/rigid_tween.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/motion/tween.hpp"
 #include "first_contact/pairs/first_contacts.hpp"
