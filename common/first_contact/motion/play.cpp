@@ -21,7 +21,7 @@ Vector direction_at(const Tween& tween, double time) {
       std::find_if(ways.begin(), ways.end(), [&](const OneWay& way) { return time < way.to_time; });
   const OneWay& way = now != ways.end() ? *now : ways.back();
   const double u = std::clamp(leg.parameter(timing.part_at(time)), 0.0, 1.0);
-  const Vector forwards = normalized(at(derivative(scaled(leg.curve(), 1)), u));
+  const Vector forwards = normalized(first_contact::at(derivative(leg.curve()), u));
   return way.from_part <= way.to_part ? forwards : Vector(-forwards);
 }
 
@@ -34,18 +34,19 @@ Eigen::Matrix3d After::map(const Vector& motion, const Vector& normal) const {
 Point Played::at(double time) const {
   const Point place = tween_.at(time);
   const auto next =
-      std::find_if(bends_.begin(), bends_.end(), [&](const Turned& turned) { return turned.since > time; });
-  if (next == bends_.begin()) return place;
-  return product(next[-1].bend.linear, place) + next[-1].bend.shift;
+      std::find_if(contacts_.begin(), contacts_.end(), [&](const Contact& c) { return c.time > time; });
+  if (next == contacts_.begin()) return place;
+  const Bend& bend = bends_[static_cast<std::size_t>(next - contacts_.begin()) - 1];
+  return product(bend.linear, place) + bend.shift;
 }
 
-void Played::bend_at(const Contact& contact, const After& after) {
-  const Bend before = bends_.empty() ? Bend() : bends_.back().bend;
+void Played::turn_aside(const Contact& contact, const After& after) {
+  const Bend before = bend();
   const Point here = product(before.linear, tween_.at(contact.time)) + before.shift;
   const Vector motion = product(before.linear, direction_at(tween_, contact.time));
   const Eigen::Matrix3d map = after.map(motion, contact.normal);
   const Vector from_here = before.shift - here;
-  bends_.push_back({contact.time, {product(map, before.linear), here + product(map, from_here)}});
+  bends_.push_back({product(map, before.linear), here + product(map, from_here)});
   contacts_.push_back(contact);
 }
 
@@ -53,12 +54,10 @@ Played play(const Tween& tween, double radius, const SphereSweep& first_contact_
             const After& after, int most_contacts) {
   Played played(tween);
   double time = tween.begin();
-  Bend bend;
-  while (const auto contact =
-             sweep(tween, radius, first_contact_of, largest_coordinate, Interval(time, tween.end()), bend)) {
-    const bool last = static_cast<int>(played.contacts_.size()) + 1 >= most_contacts;
-    played.bend_at(*contact, last ? After::stop() : after);
-    bend = played.bends_.back().bend;
+  while (const auto contact = sweep(tween, radius, first_contact_of, largest_coordinate,
+                                    Interval(time, tween.end()), played.bend())) {
+    const bool last = std::ssize(played.contacts()) + 1 >= most_contacts;
+    played.turn_aside(*contact, last ? After::stop() : after);
     time = contact->time;
   }
   return played;

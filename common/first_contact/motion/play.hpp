@@ -40,26 +40,24 @@ class After {
 /// A tween as it goes past obstacles.
 class Played {
  public:
+  /// As if there were nothing in its way.
+  explicit Played(Tween tween) : tween_(std::move(tween)) {}
+
   /// Where it is at that time.
   Point at(double time) const;
   /// The contacts, in the order of time, on the tween's clock.
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// As it was before.
   const Tween& tween() const { return tween_; }
+  /// How its places are bent after its last contact.
+  Bend bend() const { return bends_.empty() ? Bend() : bends_.back(); }
+  /// Bends what is to come after a contact, which is not before any other.
+  void turn_aside(const Contact& contact, const After& after);
 
  private:
-  friend Played play(const Tween&, double, const SphereSweep&, double, const After&, int);
-  /// How its places are bent from a time on.
-  struct Turned {
-    double since;
-    Bend bend;
-  };
-  explicit Played(Tween tween) : tween_(std::move(tween)) {}
-  void bend_at(const Contact& contact, const After& after);
-
   Tween tween_;
-  std::vector<Turned> bends_;
   std::vector<Contact> contacts_;
+  std::vector<Bend> bends_;  // one after each contact
 };
 
 /// Plays a tween of a sphere past obstacles: sweeps it to its first contact, maps what is left, and sweeps that, until

@@ -18,8 +18,8 @@ inline constexpr double tween_gap = 0x1p-30;
 
 /// A linear map of places: where a tween is at p, it is taken to be at `linear` p + `shift`.
 struct Bend {
-  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
-  Vector shift = Vector::Zero();
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();  ///< the map of displacements
+  Vector shift = Vector::Zero();                         ///< where the origin comes to
 };
 
 /// First contact of a sphere whose centre is where the tween is, within an interval of time; the interval and the
