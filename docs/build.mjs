@@ -11,6 +11,7 @@ import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
 import {runNamed, runPrograms} from './tools/values.mjs';
 import {prose, shown, weave} from './tools/weave.mjs';
 
+stopIfWrong('reading the list of chapters');
 const pages = join(build, 'pages');
 rmSync(pages, {recursive: true, force: true});
 rmSync(html, {recursive: true, force: true});

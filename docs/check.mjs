@@ -1,5 +1,6 @@
 // All checks of the notes, each in a file of its own under docs/checks. Exit status 1 and a line for each fault.
-//   node docs/check.mjs [twice|code|paper|links|browser ...]     without a name: all of them
+//   node docs/check.mjs [twice|essays|code|paper|links|browser ...]     without a name: all of them
+// `twice` builds the book; the others look at what was built.
 import {checkBrowser} from './checks/browser.mjs';
 import {checkCode} from './checks/code.mjs';
 import {checkEssays} from './checks/essays.mjs';

@@ -2,7 +2,7 @@
 // tagged code) in some chapter. What need not is between
 //   // notes: aside, because ...          and          // notes: end
 import {join} from 'node:path';
-import {build, complain, filesBelow, fromRoot, read, root} from '../tools/book.mjs';
+import {complain, filesBelow, fromRoot, read, root, shownByBuild} from '../tools/book.mjs';
 
 const mostAside = 0.05;  // of all lines
 const teaching = ['geometry', 'mesh_io', 'sweep', 'trees', 'bvh', 'batch', 'pairs', 'response', 'motion', 'stage']
@@ -58,7 +58,7 @@ function count(files, isShown) {
 }
 
 export function checkCode() {
-  const shown = JSON.parse(read(build, 'shown.json')).snippets;
+  const shown = shownByBuild().snippets;
   const isShown = (file, line) => shown.some((each) => each.file === file && (!each.tag || line.tags.includes(each.tag)));
   const ofChapters = filesBelow(join(root, 'chapters'), (file) => isCode(file) && !givesAway.test(file));
   const ofLibrary = teaching.flatMap((folder) => filesBelow(folder, isCode));

@@ -1,8 +1,7 @@
 // Every chapter has its essay, in the one order: the question, a figure, mathematics, code, output, what goes wrong, as
 // printed and corrected, cost, exercises with folded answers, further reading; and links what a student is to write.
-import {existsSync, readFileSync} from 'node:fs';
-import {join} from 'node:path';
-import {build, chapters, complain, exercises, fromRoot, read} from '../tools/book.mjs';
+import {existsSync} from 'node:fs';
+import {chapters, complain, exercises, fromRoot, read, shownByBuild} from '../tools/book.mjs';
 import {faultsOfMuseum} from '../tools/museum.mjs';
 
 const order = ['What it prints', 'What goes wrong', 'As printed, and as corrected', 'What it costs', 'Exercises',
@@ -44,7 +43,7 @@ export function checkEssays() {
     if (existsSync(chapter.source)) checkEssay(chapter), checkExercises(chapter);
     else complain(fromRoot(chapter.source), 'is missing');
   }
-  const typed = JSON.parse(readFileSync(join(build, 'shown.json'), 'utf8')).typed;
+  const typed = shownByBuild().typed;
   for (const {where, number, reason} of typed) console.log(`  ${where}: ${number} typed: ${reason}`);
   return `${chapters.length} chapters, ${museum.count} exhibits each with a test, ${typed.length} numbers typed by hand with a reason`;
 }

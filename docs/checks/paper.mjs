@@ -2,7 +2,7 @@
 // function, a test and a figure that exist, and each printed number is the one that is computed. So are the errata.
 import {existsSync} from 'node:fs';
 import {join} from 'node:path';
-import {build, chapters, complain, data, filesBelow, read, root} from '../tools/book.mjs';
+import {chapters, complain, data, filesBelow, read, root, shownByBuild} from '../tools/book.mjs';
 import {runNamed, runPrograms, valueOf} from '../tools/values.mjs';
 
 // What the paper has.
@@ -73,7 +73,7 @@ export function checkPaper() {
   for (const kind of ['sections', 'equations', 'figures', 'listings', 'numbers'])
     for (const item of map[kind]) checkItem('paper-map.json', item, item.of ?? `${kind} ${item.id}`, known);
   for (const fault of errata) checkItem('errata.json', fault, fault.title, known);
-  const derived = new Map(JSON.parse(read(build, 'shown.json')).equations);
+  const derived = new Map(shownByBuild().equations);
   for (const {id, chapter} of map.equations) {
     const page = derived.get(id);
     if (!page) complain(`docs/paper-map.json: equation ${id}`, 'stands in no chapter (\\tag)');

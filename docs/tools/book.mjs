@@ -83,3 +83,17 @@ export function stopIfWrong(doing) {
   console.error(`${doing}: ${complaints.length} fault${complaints.length > 1 ? 's' : ''}`);
   process.exit(1);
 }
+
+/// What the last build of the book has shown: the checks need it.
+export function shownByBuild() {
+  const file = join(build, 'shown.json');
+  if (!existsSync(file)) {
+    complain('build/notes', 'the book is not built yet: ./course notes');
+    stopIfWrong('checking the notes');
+  }
+  return JSON.parse(read(file));
+}
+
+for (const chapter of chapters)
+  for (const field of ['number', 'folder', 'program', 'title', 'chinese', 'needs', 'paper', 'question'])
+    if (chapter[field] === undefined) complain('docs/chapters.json', `the chapter "${chapter.title}" has no "${field}"`);
