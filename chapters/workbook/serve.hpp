@@ -1,5 +1,4 @@
 #pragma once
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>

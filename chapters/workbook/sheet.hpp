@@ -39,6 +39,7 @@ struct Sheet {
   std::vector<Probe> chosen;                        ///< from the plainest on
   std::function<Value(Chance&)> random;             ///< any other input
   std::function<bool(const Value& input)> allowed;  ///< is it one that the task speaks of?
+  Give mend;                                        ///< makes an input whole that was made smaller
   Give judge;                                       ///< the right answer, by a way of its own
   std::function<Sameness(const Value& input)> sameness;
   std::string tolerance;  ///< the same, told to a reader

@@ -36,6 +36,8 @@ struct Exercise {
   std::vector<Chosen> chosen;
   std::function<Input(Chance&)> random;
   std::function<bool(const Input&)> allowed = [](const Input&) { return true; };
+  /// What depends on other parts of an input, and must follow when these become smaller.
+  std::function<Input(const Input&)> mend = [](const Input& input) { return input; };
   Signature* judge = nullptr;
   double tolerance = 1e-9;  ///< relative to the larger of two numbers, or to the unit
   Unit unit = Unit::one;
@@ -48,11 +50,12 @@ class SheetOf {
  public:
   static Sheet make(const Exercise<Signature>& exercise) {
     const auto give = [judge = exercise.judge](const Value& input) { return answer_of(judge, input); };
-    Sheet sheet{exercise.asked, exercise.names, {}, {}, {}, give, {}, told_tolerance(exercise), {}};
+    Sheet sheet{exercise.asked, exercise.names, {}, {}, {}, {}, give, {}, told_tolerance(exercise), {}};
     for (const auto& [purpose, input] : exercise.chosen)
       sheet.chosen.push_back({purpose, to_value(input), {}});
     sheet.random = [random = exercise.random](Chance& chance) { return to_value(random(chance)); };
     sheet.allowed = [allowed = exercise.allowed](const Value& input) { return allowed(tuple(input)); };
+    sheet.mend = [mend = exercise.mend](const Value& input) { return to_value(mend(tuple(input))); };
     sheet.sameness = [exercise](const Value& input) {
       const double unit = exercise.unit == Unit::one ? 1 : largest_number(input);
       return Sameness{exercise.tolerance, unit, exercise.any_order};

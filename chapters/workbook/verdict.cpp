@@ -30,13 +30,14 @@ bool is_constant(const std::vector<Probe>& probes, const std::vector<Value>& ans
 // A chosen input stays as it is, for it was chosen; a random one becomes as small as it can.
 Probe plainest(const Sheet& sheet, const Probe& probe, const Ask& ask) {
   if (!probe.purpose.empty()) return probe;
-  const auto fails = [&](const Value& input) {
+  const auto fails = [&](const Value& smaller) {
+    const Value input = sheet.mend(smaller);
     if (!is_fair(sheet, input)) return false;
     const Reply reply = ask(input);
     return reply.kind == Reply::Kind::answer &&
            !is_right(sheet, {"", input, sheet.judge(input)}, reply.value);
   };
-  const Value input = shrunk(probe.input, fails);
+  const Value input = sheet.mend(shrunk(probe.input, fails));
   return {"", input, sheet.judge(input)};
 }
 

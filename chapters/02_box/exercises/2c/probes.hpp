@@ -39,6 +39,8 @@ inline Exercise<Signature> exercise() {
        {camera, {{-9, 0, 5}, {16, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}}},
       {"a plank whose axes point the other way",
        {camera, {{-9, 0, 5}, {-16, 0, 0}, {0, -0.5, 0}, {0, 0, -0.5}}}},
+      {"a plank behind the camera, long but not toward it",
+       {camera, {{0, 0, -1}, {20, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}}},
       {"beside an edge: behind no single plane, so it is kept",
        {camera, {{-5.5, 5.5, 5}, {6, 6, 0}, {-0.25, 0.25, 0}, {0, 0, 0.25}}}},
   };
@@ -48,9 +50,9 @@ inline Exercise<Signature> exercise() {
                                   c / 3 * Vector{2, -2, 1}}};
   };
   probes.allowed = [](const auto& input) {
-    for (const Plane& E : std::get<0>(input))
-      if (std::abs(norm(E.N) - 1) > 1e-6) return false;
-    return true;
+    const auto& [frustum, box] = input;
+    return same(to_value(frustum), to_value(camera), {}) &&
+           std::abs(dot(box.R, box.S)) + std::abs(dot(box.S, box.T)) + std::abs(dot(box.T, box.R)) < 1e-4;
   };
   probes.judge = judge;
   probes.along = {"x of the centre (0: kept, 1: rejected)", -12, 12,

@@ -77,16 +77,11 @@ inline Exercise<Signature> exercise() {
       things.push_back(cube(chance.vector(6), chance.number(0.5, 5)));
     return scene(things);
   };
-  // A tree that is not that of its things is no input: what is shrunk keeps both.
+  probes.mend = [](const auto& input) { return scene(std::get<1>(input)); };
   probes.allowed = [](const auto& input) {
-    for (const Node& node : std::get<0>(input))
-      for (const std::vector<int>* list : {&node.children, &node.things})
-        for (const int each : *list)
-          if (each < 0) return false;
     for (const Bounds& box : std::get<1>(input))
       if (!(box.least.x < box.most.x && box.least.y < box.most.y && box.least.z < box.most.z)) return false;
-    const auto again = to_value(std::get<0>(scene(std::get<1>(input))));
-    return std::get<0>(input).size() > 0 && same(again, to_value(std::get<0>(input)), {});
+    return true;
   };
   probes.judge = judge;
   probes.any_order = true;
