@@ -31,8 +31,9 @@ Polygon around(Polygon corners, const Vector& normal) {
   const Point middle = mean(corners);
   const Vector u = normal.unitOrthogonal(), v = normal.cross(u);
   const auto angle = [&](const Point& p) { return turned(dot(u, p - middle), dot(v, p - middle)); };
-  std::sort(corners.begin(), corners.end(),
-            [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
+  // Stable: corners of one angle stay in their order, whichever standard library sorts.
+  std::stable_sort(corners.begin(), corners.end(),
+                   [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
   return corners;
 }
 
