@@ -21,7 +21,7 @@ struct OneWay {
 /// The clock of one leg: which part of the way is done at which time, and the other way round.
 class Timing {
  public:
-  /// \pre begin < end, both finite
+  /// It must begin before it ends, and both times be finite.
   Timing(Easing easing, double begin, double end);
 
   /// The part of the way that is done at a time: exactly 0 at the leg's beginning and 1 at its end.
