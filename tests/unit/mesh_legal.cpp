@@ -28,6 +28,12 @@ TEST_CASE("A byte order mark is read past in each format: no vertex is lost") {
   CHECK(read("a.ply", mark + binary_ply(true, true, 0.5)).vertices()[3] == Point(0, 1, 0.5));
 }
 
+TEST_CASE("A byte order mark may stand before each of two files that were put together") {
+  const Mesh both = read("a.obj", mark + mark + corners + "f 1 2 3\n" + mark + corners + "f 4 5 6\n");
+  CHECK(both.vertices().size() == 6);
+  CHECK(both.faces()[1] == Mesh::Face{3, 4, 5});
+}
+
 TEST_CASE("OBJ: any statement may go on behind a backslash, with a blank before it or without") {
   const Mesh mesh = read("a.obj", "v 0 \\\n0 0\nv 1\\\n 0 0\r\nv 0 1 0\nf 1 2\\\r\n 3\n");
   CHECK(mesh.vertices()[0] == Point(0, 0, 0));
@@ -82,6 +88,8 @@ TEST_CASE("OBJ: a corner that is not a, a/b, a//c or a/b/c is refused") {
 TEST_CASE("PLY: what is declared twice is refused") {
   CHECK(refusal("a.ply", ply + vertices + "property double x\n") ==
         "a.ply, line 7: \"x\": must be there only once");
+  CHECK(refusal("a.ply", ply + faces + "property list uchar int vertex_index\n") ==
+        "a.ply, line 5: \"vertex_indices\": must be there only once");
   CHECK(refusal("a.ply", ply + vertices + vertices) == "a.ply, line 7: \"vertex\": must be there only once");
 }
 
@@ -117,6 +125,7 @@ TEST_CASE("What a refusal quotes is short, on one line, and does nothing to a te
 }
 
 TEST_CASE("STL: a text that is not one is refused as a text, and what is binary by its size") {
-  CHECK_THAT(refusal("a.stl", std::string(100, 'l')), StartsWith("a.stl, line 1: must be solid"));
+  CHECK_THAT(refusal("a.stl", "lid\n" + facet), StartsWith("a.stl, line 1: \"lid\": must be solid"));
+  CHECK_THAT(refusal("a.stl", facet + '\0'), StartsWith("a.stl, line 10: \"\\x00\": must be solid"));
   CHECK_THAT(refusal("a.stl", binary_stl(3, 2)), ContainsSubstring("3 triangles need 150 bytes"));
 }

@@ -133,7 +133,7 @@ TEST_CASE("STL: what is refused, and on which line or at which byte") {
   CHECK(refusal("a.stl", "solid\nfacets\n") == "a.stl, line 2: \"facets\": must be a line of an STL file");
   CHECK(refusal("a.stl", "solid\nsolid\n") == "a.stl, line 2: solid and endsolid must alternate");
   CHECK(refusal("a.stl", "short") ==
-        "a.stl, line 1: must be solid: a text begins with it, and so does each of its parts");
+        "a.stl, line 1: \"short\": must be solid: a text begins with it, and so does each of its parts");
   CHECK(refusal("a.stl", binary_stl(4000000000u, 2)) ==
         "a.stl, byte 80: 4000000000 triangles need 200000000000 bytes after the header, not 100");
   CHECK(refusal("a.stl", binary_stl(1, 1, std::numeric_limits<float>::infinity())) ==

@@ -131,6 +131,17 @@ TEST_CASE("Ears fill a comb, a spiral and a staircase with corners on straight l
   check_filled(spiral);
 }
 
+TEST_CASE("A long spiral, in which most corners are no ears, is cut in seconds") {
+  FlatPolygon spiral, inner;
+  for (int i = 0; i < 3000; ++i) {
+    const double angle = 0.05 * i, distance = 10 + 0.01 * i;
+    spiral.emplace_back(distance * std::cos(angle), distance * std::sin(angle));
+    inner.emplace_back((distance - 0.3) * std::cos(angle), (distance - 0.3) * std::sin(angle));
+  }
+  spiral.insert(spiral.end(), inner.rbegin(), inner.rend());
+  CHECK(clip_ears(spiral).size() == spiral.size() - 2);
+}
+
 TEST_CASE("A hole that is joined to the outline by an edge there and back stays empty") {
   const FlatPolygon square{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
   CHECK_FALSE(crosses_itself(square));

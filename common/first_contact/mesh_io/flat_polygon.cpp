@@ -44,7 +44,11 @@ std::size_t changes_of_direction(const FlatPolygon& polygon) {
 class Ears {
  public:
   explicit Ears(const FlatPolygon& polygon)
-      : polygon_(polygon), before_(polygon.size()), after_(polygon.size()), turn_(polygon.size()) {
+      : polygon_(polygon),
+        before_(polygon.size()),
+        after_(polygon.size()),
+        turn_(polygon.size()),
+        blocked_(polygon.size()) {
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i) {
       before_[i] = (i + n - 1) % n;
@@ -68,6 +72,7 @@ class Ears {
 
  private:
   void measure(std::size_t i) {
+    blocked_[i] = false;
     turn_[i] = orientation(polygon_[before_[i]], polygon_[i], polygon_[after_[i]]);
   }
 
@@ -80,13 +85,27 @@ class Ears {
 
   // The next corner whose triangle can be cut off, one with an area if there is any; none: the number of
   // corners.
-  std::size_t next_ear(std::size_t at, std::size_t left) const {
-    std::size_t flat = polygon_.size();
-    for (std::size_t tried = 0; tried < left; ++tried, at = after_[at]) {
-      if (turn_[at] > 0 && is_empty(at)) return at;
-      if (turn_[at] == 0 && flat == polygon_.size()) flat = at;
+  std::size_t next_ear(std::size_t at, std::size_t left) {
+    const std::size_t none = polygon_.size();
+    std::size_t ear = next_free_ear(at, left);
+    if (ear == none) {
+      std::fill(blocked_.begin(), blocked_.end(), false);
+      ear = next_free_ear(at, left);
     }
-    return flat;
+    for (; ear == none && left > 0; --left, at = after_[at])
+      if (turn_[at] == 0) ear = at;
+    return ear;
+  }
+
+  // A corner that was none stays none until a neighbour is cut off, for no other cut opens a diagonal. Only where
+  // the outline touches itself one does: then all are looked at again.
+  std::size_t next_free_ear(std::size_t at, std::size_t left) {
+    for (; left > 0; --left, at = after_[at]) {
+      if (turn_[at] <= 0 || blocked_[at]) continue;
+      if (is_empty(at)) return at;
+      blocked_[at] = true;
+    }
+    return polygon_.size();
   }
 
   // Only corners that are not convex can be within. One at the place of a corner of the triangle is no
@@ -103,7 +122,8 @@ class Ears {
 
   const FlatPolygon& polygon_;
   std::vector<std::size_t> before_, after_;
-  std::vector<int> turn_;  // 1: convex; 0: on a straight line; -1: reflex
+  std::vector<int> turn_;      // 1: convex; 0: on a straight line; -1: reflex
+  std::vector<bool> blocked_;  // convex, but no ear when it was looked at
 };
 
 }  // namespace

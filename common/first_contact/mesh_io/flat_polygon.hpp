@@ -23,8 +23,8 @@ bool is_strictly_convex(const FlatPolygon& polygon);
 bool crosses_itself(const FlatPolygon& polygon);
 
 /// Cuts off ears, triangles that hold no other corner, until one triangle is left (G. H. Meisters, "Polygons
-/// Have Ears", 1975). Corners on a straight line may make triangles without area. In O(n^2) at best, O(n^3)
-/// at worst.
+/// Have Ears", 1975). Corners on a straight line may make triangles without area. In O(n^2), O(n^3) if the
+/// outline touches itself all along.
 /// \return n - 2 triples of corners' numbers; fewer if it is no polygon, as it crosses itself or turns
 /// clockwise.
 std::vector<std::array<std::size_t, 3>> clip_ears(const FlatPolygon& polygon);

@@ -33,8 +33,6 @@ bool is_utf16(std::string_view bytes) {
 
 }  // namespace
 
-std::size_t MeshBytes::text_begin() const { return bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
-
 void MeshBytes::reached(std::size_t byte) const {
   if (!progress || byte < next_to_tell_) return;
   progress(static_cast<double>(byte) / static_cast<double>(bytes.size()));

@@ -16,8 +16,6 @@ struct MeshBytes {
   /// Whom to tell how far the reading is; nobody if it is empty.
   ReadingProgress progress = {};
 
-  /// Where its text begins: behind a byte order mark, if it has one.
-  std::size_t text_begin() const;
   /// Readers say here that they have come to this byte; those who listen hear of every hundredth part.
   void reached(std::size_t byte) const;
 

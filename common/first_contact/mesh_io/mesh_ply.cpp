@@ -101,8 +101,7 @@ template <class Values>
 Row read_row(Values& values, const Element& element) {
   Row row;
   for (const Property& property : element.properties) {
-    const bool corners =
-        property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+    const bool corners = property.count && property.name == "vertex_indices";
     const bool coordinate = element.name == "vertex" && !property.count && property.name.size() == 1 &&
                             property.name >= "x" && property.name <= "z";
     for (std::uint32_t left = read_count(values, property); left > 0; --left) {

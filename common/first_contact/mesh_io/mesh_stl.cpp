@@ -41,7 +41,8 @@ RawMesh read_text(const MeshBytes& file) {
   while (lines.next()) {
     const std::string word = lower(lines.words()[0]);
     if (!open && word != "solid")
-      lines.refuse("must be solid: a text begins with it, and so does each of its parts");
+      lines.refuse(in_quotes(lines.words()[0]) +
+                   ": must be solid: a text begins with it, and so does each of its parts");
     if (open && word == "solid") lines.refuse("solid and endsolid must alternate");
     if (word == "vertex") {
       corners.push_back(lines.point(1));
@@ -99,8 +100,8 @@ RawMesh read_binary(const MeshBytes& file) {
   return mesh_of(corners);
 }
 
-// Text has no byte 0; what is binary has one in its count, or its numbers, at the latest.
-bool is_text(const MeshBytes& file) { return file.bytes.find('\0') == std::string::npos; }
+// Text has no byte 0, unless behind its end; what is binary has one in its count, or its numbers, at the latest.
+bool is_text(const MeshBytes& file) { return file.bytes.find('\0') >= file.bytes.rfind("endsolid"); }
 
 }  // namespace
 

@@ -47,6 +47,9 @@ void read_declaration(const TextLines& lines, std::vector<Element>& elements) {
   const auto& words = lines.words();
   const std::size_t size = words.size();
   const bool property = words[0] == "property" && !elements.empty();
+  const auto name_of_list = [](std::string_view name) {  // both names are in use
+    return std::string(name == "vertex_index" ? "vertex_indices" : name);
+  };
   if (words[0] == "element" && size == 3) {
     add(lines, elements, {std::string(words[1]), lines.whole(words[2]), {}});
     if (elements.back().count < 0) lines.refuse("a count must not be negative");
@@ -54,7 +57,7 @@ void read_declaration(const TextLines& lines, std::vector<Element>& elements) {
     add(lines, elements.back().properties, {std::string(words[2]), read_type(lines, words[1]), {}});
   } else if (property && size == 5 && words[1] == "list") {
     add(lines, elements.back().properties,
-        {std::string(words[4]), read_type(lines, words[3]), read_type(lines, words[2])});
+        {name_of_list(words[4]), read_type(lines, words[3]), read_type(lines, words[2])});
   } else if (words[0] != "comment" && words[0] != "obj_info") {
     lines.refuse("must be an element, a property, a comment or end_header");
   }

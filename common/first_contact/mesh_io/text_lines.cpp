@@ -26,7 +26,7 @@ std::string_view without_plus(std::string_view word) {
 }  // namespace
 
 TextLines::TextLines(const MeshBytes& file, Style style)
-    : file_(file), style_(style), line_end_(line_end_of(file.bytes)), position_(file.text_begin()) {}
+    : file_(file), style_(style), line_end_(line_end_of(file.bytes)), position_(0) {}
 
 bool TextLines::next() {
   file_.reached(position_);
@@ -37,9 +37,12 @@ bool TextLines::next() {
   return !words_.empty();
 }
 
+// Without a byte order mark: one stands at the beginning, and where files were put together, before each of them.
 std::string_view TextLines::raw_line() {
-  const std::string_view text = file_.bytes;
-  const std::size_t begin = position_, end = std::min(text.find(line_end_, begin), text.size());
+  const std::string_view text = file_.bytes, mark = "\xEF\xBB\xBF";
+  std::size_t begin = position_;
+  while (text.substr(begin).starts_with(mark)) begin += mark.size();
+  const std::size_t end = std::min(text.find(line_end_, begin), text.size());
   position_ = std::min(end + 1, text.size());
   ++line_;
   return text.substr(begin, end - begin);
