@@ -29,6 +29,12 @@ TEST_CASE("The earliest of all faces counts, not the first in the list") {
   CHECK(cast(shelves, {0, 0, 3}, {0, 0, -1}, 0.5)->triangle == 1);
   CHECK(cast(shelves, {0, 0, -2}, {0, 0, 2}, 0.5)->triangle == 0);
 }
+TEST_CASE("A triangle of a mesh that has shrunk to a segment or to a point is one") {
+  const Mesh shrunk{{{1, 2, 3}, {1, 2, 3}, {0, 0, 9}, {2, 0, 9}, {1, 0, 9}}, {{0, 1, 0}, {2, 3, 4}}};
+  CHECK(cast(shrunk, {1, 2, 6}, {1, 2, 2}, 1)->time == 0.5);
+  CHECK(cast(shrunk, {1, 2, 6}, {1, 2, 2}, 1)->feature == Feature::vertex);
+  CHECK(cast(shrunk, {0.5, 3, 9}, {0.5, -1, 9}, 1)->time == 0.5);
+}
 TEST_CASE("An edge that is met before a face hides it") {  // and, once passed, does not
   const Mesh step{{{0, 0, 0}, {-6, -2, 0}, {-6, 2, 0}, {1, -2, -2}, {1, 2, -2}, {1, 0, 2}},
                   {{0, 1, 2}, {3, 4, 5}}};

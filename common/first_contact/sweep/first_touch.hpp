@@ -157,7 +157,7 @@ void FirstTouch<Known>::vertex(std::uint32_t vertex) {
     directions.emplace_back(normalized(edges.back()));
   }
   const auto judged = among_edges(*touch, edges, faces, moving_);
-  if (!judged || (judged->feature == Feature::vertex && (edges.empty() || buried_by(directions)))) return;
+  if (!judged || (judged->feature == Feature::vertex && !edges.empty() && buried_by(directions))) return;
   keep(*judged, vertices, around[0].number);
 }
 //! [first_touch_vertex]
