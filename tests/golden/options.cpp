@@ -28,7 +28,10 @@ const std::vector<Bad> all_bad{
     {"plane", {"--to", "1e308,0,0", "--from", "-1e308,0,0"}, {"--to", "1e308,0,0", "finite"}},
     {"plane", {"--lang", "fr"}, {"--lang", "fr", "en|zh-TW"}},
     {"plane", {"--format", "bmp"}, {"--format", "bmp", "svg|png|pdf"}},
-    {"plane", {"--radius", "1", "--radius", "2"}, {"--radius"}},
+    {"plane", {"--radius", "1", "--radius=2"}, {"--radius 2", "only once"}},
+    {"plane", {"--radius=", "--json"}, {"--radius ''", "not empty"}},
+    {"plane", {"--values", "", "--no-figures"}, {"--values ''", "not empty"}},
+    {"plane", {"--style", "."}, {"--style .", "file"}},
     {"plane", {"--colour", "red"}, {"--colour"}},
     {"plane", {"extra"}, {"extra"}},
     {"plane", {"--radius"}, {"--radius"}},
@@ -141,6 +144,38 @@ TEST_CASE("Without gnuplot a program writes scripts and numbers, and says what i
   CHECK(run.err.find("gnuplot-nox") != std::string::npos);
   CHECK(fs::exists(folder.path() / "out" / "figure-03.gp"));
   CHECK_FALSE(fs::exists(folder.path() / "out" / "figure-03.svg"));
+}
+
+TEST_CASE("A locale that is named but not installed changes nothing") {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const Run run = run_with("LC_ALL", "xx_YY.UTF-8", "plane", {"--out", out});
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(fs::exists(folder.path() / "out" / "figure-03.svg"));
+}
+
+TEST_CASE("The user's own settings of gnuplot change no figure") {
+  const TemporaryFolder home, other;
+  std::ofstream(home.path() / ".gnuplot") << "print \"hello\"\nset samples 3\nset key left\n";
+  const auto picture = [&](const TemporaryFolder& where) {
+    const Run run =
+        run_with("HOME", where.path().string(), "plane", {"--out", (where.path() / "out").string()});
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+    return content_of(where.path() / "out" / "figure-03.svg");
+  };
+  CHECK_FALSE(picture(home).empty());
+  CHECK(picture(home) == picture(other));
+}
+
+TEST_CASE("A TMPDIR that is no folder is named as such, and nothing is written") {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const Run run = run_with("TMPDIR", "/nowhere", "plane", {"--out", out});
+  CHECK(run.status == 1);
+  CHECK(run.err.find("TMPDIR '/nowhere': must be a folder") != std::string::npos);
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
 }
 
 TEST_CASE("A gnuplot that fails is noticed: status 1 and its own words") {

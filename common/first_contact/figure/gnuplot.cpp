@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
+#include <locale>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -115,6 +116,15 @@ class Child {
   process::child gnuplot_;
 };
 
+// Boost converts names as the user's locale has it, and gives up on one that is named but not installed.
+void do_without_missing_locale() {
+  try {
+    std::locale("");
+  } catch (const std::runtime_error&) {
+    boost::this_process::environment()["LC_ALL"] = "C";
+  }
+}
+
 // A text as gnuplot takes it literally.
 std::string literal(const std::string& text) {
   std::string letters = "'";
@@ -122,9 +132,10 @@ std::string literal(const std::string& text) {
   return letters + "'";
 }
 
-// What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count.
+// What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count. With -d
+// it reads no settings of the user's own (~/.gnuplot), which would draw another figure.
 void draw(const fs::path& program, const Studio& studio, const fs::path& script, const std::string& format) {
-  std::vector<std::string> arguments{"-e", "format='" + format + "'", "-e",
+  std::vector<std::string> arguments{"-d", "-e", "format='" + format + "'", "-e",
                                      "theme='" + (format == "svg" ? "light" : studio.theme) + "'"};
   if (!studio.own.empty())
     arguments.insert(arguments.end(), {"-e", "own=" + literal(fs::absolute(studio.own).string())});
@@ -141,6 +152,7 @@ void draw(const fs::path& program, const Studio& studio, const fs::path& script,
 
 fs::path find_gnuplot(const std::string& name) {
   const fs::path path = name;
+  do_without_missing_locale();
   if (!path.has_parent_path()) return process::search_path(name).string();
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);

@@ -1,9 +1,13 @@
 #include "first_contact/figure/temporary_folder.hpp"
 
 #include <cstdint>
+#include <cstdlib>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <system_error>
+
+#include "first_contact/files/printable.hpp"
 
 namespace first_contact::figure {
 
@@ -11,10 +15,15 @@ namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
   std::random_device random;
-  do
-    path_ = fs::temp_directory_path() /
-            ("first-contact-" + std::to_string(std::uint64_t{random()} << 32U | random()));
-  while (!fs::create_directory(path_));
+  std::error_code error;
+  do {
+    const std::uint64_t number = std::uint64_t{random()} << 32U | random();
+    path_ = fs::temp_directory_path(error) / ("first-contact-" + std::to_string(number));
+  } while (!error && !fs::create_directory(path_, error));
+  if (!error) return;
+  const char* const named = std::getenv("TMPDIR");
+  throw std::runtime_error("TMPDIR " + (named != nullptr ? "'" + printable(named) + "'" : "(not set)") +
+                           ": must be a folder that can be written to (" + error.message() + ")");
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -7,8 +7,9 @@ namespace first_contact::program {
 
 /// The words of a command line as CLI11 wants them, the last one first. `--p1 -1,8`: a value that begins with
 /// a minus sign is joined to its option, so that it is never taken for another option. And `--out --json` is
-/// refused, where CLI11 alone would take `--json` for the folder.
-/// \throws Refused if an option that needs a value is followed by another option, or by nothing.
+/// refused, where CLI11 alone would take `--json` for the folder, as it would for that of `--out ''`.
+/// \throws Refused if an option that needs a value is followed by another option, by nothing or by an empty
+/// value, or is given twice.
 std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char* const* argv);
 
 }  // namespace first_contact::program

@@ -121,7 +121,9 @@ Program::Program(std::string name, const std::string& chapter, const std::string
             "of png and pdf; an svg follows its reader's theme");
   in.add("--style", "FILE", "gnuplot commands read after the house style: sizes, letters, colours", "",
          [&in](const std::string& text) {
-           if (!std::ifstream(text)) throw Refused("must be a file that can be read");
+           std::error_code ignored;
+           if (!std::filesystem::is_regular_file(text, ignored) || !std::ifstream(text))
+             throw Refused("must be a file that can be read");
            in.studio.own = text;
          });
   in.line.add_flag("--json", in.as_json, "print only the results, as JSON");
