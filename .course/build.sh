@@ -102,7 +102,7 @@ make() {
     rm -f "$log"
     exit 1
   fi
-  if ! cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1 | tee "$log" | show_progress; then
+  if ! NINJA_STATUS='[%f/%t] ' cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1 | tee "$log" | show_progress; then
     sed -n '/^FAILED/,$p' "$log" | grep -v '^\[[0-9]*/' >&2 || cat "$log" >&2
     rm -f "$log"
     exit 1

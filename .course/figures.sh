@@ -39,6 +39,17 @@ figures_named() {
   [[ -n "$found" ]] || return 1
 }
 
+# Refuses a folder among the book's own figures, there or still to be made, or one with a link into them.
+must_not_be_the_books() {
+  local place
+  for place in "$1" "$1"/*/; do
+    while [[ ! -d "$place" ]]; do place=$(dirname -- "$place"); done
+    [[ "$(cd -- "$place" && pwd -P)/" == "$(pwd -P)/figures/"* ]] || continue
+    say "course: figures --into $1: must not be where the book's own figures are"
+    exit 2
+  done
+}
+
 figure_options() {
   format=svg theme=light lang=en style="" into="" own="" names=""
   while (($#)); do
@@ -58,16 +69,13 @@ figure_options() {
       --theme) one_of --theme "$value" light dark grey; theme=$value ;;
       --lang) one_of --lang "$value" en zh-TW; lang=$value ;;
       --style) style=$(of_caller "$value")
-               [[ -r "$style" ]] || { say "course: figures --style $value: must be a file that can be read"; exit 2; } ;;
+               [[ -n "$value" && -f "$style" && -r "$style" ]] || { say "course: figures --style $value: must be a file that can be read"; exit 2; } ;;
       --into) [[ -n "$value" ]] || { say "course: figures --into '': must name a folder"; exit 2; }
               into=$(of_caller "$value") ;;
       *) say "course: figures $option: must be an option that ./course figures --help lists"; exit 2 ;;
     esac
   done
-  if [[ -n "$into" && "$(cd "$into" 2>/dev/null && pwd -P)/" == "$(pwd -P)/figures/"* ]]; then
-    say "course: figures --into $into: must not be where the book's own figures are"
-    exit 2
-  fi
+  [[ -z "$into" ]] || must_not_be_the_books "$into"
   [[ -n "$own" ]] || into=figures
   [[ -n "$into" ]] || into=out/figures-$format-$theme-$lang
 }
@@ -83,9 +91,8 @@ draw_figures() {
   say "Drawing ..."
   rm -rf build/drawn
   printf '%s\n' $wanted | program_options="--format $format --theme $theme --lang $lang" style_file=$style bins=$build/bin \
-    xargs -P "$(cores)" -I{} bash -c 'program=${1#*_}
-      "$bins/$program" --out "build/drawn/$1" $program_options ${style_file:+--style "$style_file"} >/dev/null ||
-        { echo "$program failed" >&2; exit 255; }' _ {}
+    xargs -P "$(cores)" -I{} bash -c '"$bins/${1#*_}" --out "build/drawn/$1" $program_options \
+      ${style_file:+--style "$style_file"} >/dev/null 2>&3 || exit 255' _ {} 3>&2 2>/dev/null || exit 1
   if [[ "$into" == figures ]]; then take_over_book; else take_over_own; fi
 }
 
@@ -100,7 +107,7 @@ is_wanted() {
 put() {
   cmp -s "$1" "$2" && return
   mkdir -p "$(dirname "$2")"
-  cp "$1" "$2.part" && mv -f "$2.part" "$2"
+  { cp "$1" "$2.part" && mv -f "$2.part" "$2"; } || { rm -f "$2.part"; return 1; }
 }
 
 # A picture is renewed where its script has changed. The gnuplot that drew the book renews it in any case: others draw the
@@ -133,7 +140,8 @@ take_over_own() {
     put "$file" "$into/${file#build/drawn/}"
     [[ "$file" != *.gp ]] || count=$((count + 1))
   done
-  write_index >"$into/index.html"
+  write_index >build/drawn/index.html
+  put build/drawn/index.html "$into/index.html"
   say "$count figures are in $into; look at them in $into/index.html."
 }
 

@@ -10,7 +10,7 @@ folder_of() { local folder; for folder in chapters/[0-9][0-9]_*/exercises/"$1"/;
 title_of() { sed -n '1s/^# Exercise //p' "$(folder_of "$1")/task.md"; }
 
 must_be_exercise() {
-  [[ " $(exercises | tr '\n' ' ')" == *" $1 "* ]] || { say "course: exercise $1: must be one of $(exercises | tr '\n' ' ')"; exit 2; }
+  [[ "$1" != *" "* && " $(exercises | tr '\n' ' ')" == *" $1 "* ]] || { say "course: exercise $1: must be one of $(exercises | tr '\n' ' ')"; exit 2; }
 }
 must_be_readable() {
   [[ -f "$1" && -r "$1" ]] || { say "course: answer $1: must be a file that can be read"; exit 2; }

@@ -32,6 +32,31 @@ check "an unknown command is refused" refused draw
 check "a program that takes no exercise is refused" refused run slide --mine
 check "a copy that is none is refused" refused run plane --mine=/no-such-folder
 
+check "a folder to be made among the book's own figures is refused" refused figures --into figures/mine
+check "so is one reached by a way round" refused figures --into=docs/../figures/mine/of/them
+check "a style must be a file, not a folder" refused figures --style /
+check "an empty style is refused" refused figures --style ''
+check "a program is named by its letters, not by a pattern" refused run 'p.*e'
+check "nor by two lines" refused run $'plane\nbox'
+check "a line break in a command makes no second line of its refusal" refused $'fig\nures'
+check "two names for the tests are refused" refused test plane box
+check "verify looks at its options before it builds" refused verify --count many
+check "two exercises at once are refused" refused check '1a 1b'
+mkdir -p build
+check "what takes nothing is not begun with something" refused clean all
+check "clean --help explains, and removes nothing" eval 'says "$(./course clean --help)" "usage: ./course" && [ -d build ]'
+linked=$(mktemp -d)
+ln -s "$PWD/course" "$linked/course"
+ln -s course "$linked/again"
+mkdir -p "$linked/elsewhere/$(basename "$PWD")"
+check "it works when it is called by a link to a link" says "$("$linked/again" help 2>&1)" "usage: ./course"
+check "it works where CDPATH leads elsewhere" \
+  says "$(cd .. && CDPATH=$linked/elsewhere bash "$(basename "$OLDPWD")/course" help 2>&1)" "usage: ./course"
+books=$PWD/figures/01_plane
+ln -s "$books" "$linked/01_plane"
+check "a folder with a link into the book's figures is refused" refused figures --into "$linked"
+rm -rf "$linked"
+
 say() { printf '%s\n' "$*"; }
 root=$PWD
 . .course/needs.sh
