@@ -132,8 +132,8 @@ std::string literal(const std::string& text) {
   return letters + "'";
 }
 
-// What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count. With -d
-// it reads no settings of the user's own (~/.gnuplot), which would draw another figure.
+// What gnuplot says of itself goes to standard error, and its status may be 0 all the same: both count.
+// With -d it reads no settings of the user's own (~/.gnuplot), which would draw another figure.
 void draw(const fs::path& program, const Studio& studio, const fs::path& script, const std::string& format) {
   std::vector<std::string> arguments{"-d", "-e", "format='" + format + "'", "-e",
                                      "theme='" + (format == "svg" ? "light" : studio.theme) + "'"};

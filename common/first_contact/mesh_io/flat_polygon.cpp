@@ -97,8 +97,8 @@ class Ears {
     return ear;
   }
 
-  // A corner that was none stays none until a neighbour is cut off, for no other cut opens a diagonal. Only where
-  // the outline touches itself one does: then all are looked at again.
+  // A corner that was none stays none until a neighbour is cut off, for no other cut opens a diagonal. Only
+  // where the outline touches itself one does: then all are looked at again.
   std::size_t next_free_ear(std::size_t at, std::size_t left) {
     for (; left > 0; --left, at = after_[at]) {
       if (turn_[at] <= 0 || blocked_[at]) continue;

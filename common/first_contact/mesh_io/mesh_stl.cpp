@@ -100,7 +100,8 @@ RawMesh read_binary(const MeshBytes& file) {
   return mesh_of(corners);
 }
 
-// Text has no byte 0, unless behind its end; what is binary has one in its count, or its numbers, at the latest.
+// Text has no byte 0, unless behind its end; what is binary has one in its count, or its
+// numbers, at the latest.
 bool is_text(const MeshBytes& file) { return file.bytes.find('\0') >= file.bytes.rfind("endsolid"); }
 
 }  // namespace

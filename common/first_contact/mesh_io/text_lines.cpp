@@ -37,7 +37,8 @@ bool TextLines::next() {
   return !words_.empty();
 }
 
-// Without a byte order mark: one stands at the beginning, and where files were put together, before each of them.
+// Without a byte order mark: one stands at the beginning, and where files were put together,
+// before each of them.
 std::string_view TextLines::raw_line() {
   const std::string_view text = file_.bytes, mark = "\xEF\xBB\xBF";
   std::size_t begin = position_;
