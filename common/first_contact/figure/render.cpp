@@ -55,8 +55,9 @@ std::optional<std::string> render(const Studio& studio, const fs::path& script, 
   const fs::path picture = fs::path(script).replace_extension(format);
   const std::string drawn = fs::exists(picture) ? read_file(picture) : "";
   if (!is_whole(drawn, format))
-    throw std::runtime_error(program.string() + " ended with status 0 but drew no whole " + picture.string() +
-                             ": must be a gnuplot that works, in a folder with room");
+    throw std::runtime_error(program.string() + " ended with status 0 but drew no whole " +
+                             picture.filename().string() + ": must be a gnuplot that works, with room in " +
+                             printable(picture.parent_path().string()));
   return format == "svg" ? themed(drawn) : drawn;
 }
 
