@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
+#include <system_error>
 
 #include "accuracy.hpp"
 #include "casts.hpp"
@@ -183,11 +185,19 @@ Environment environment_of(Program& program, const Scene& scene) {
   return program.checked("--mesh", [&] { return Environment(load_mesh(scene.mesh)); });
 }
 
+// A device may be both: what is read from a terminal may be answered there.
+bool are_one_file(const std::string& one, const std::string& other) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(one, none) && std::filesystem::equivalent(one, other, none);
+}
+
 // All casts are read, checked and made before anything is written.
 void run_casts(Program& program, const Scene& scene, const Environment& environment) {
   if (program.given("--casts") != program.given("--results"))
     throw Refused("--results " + scene.results + ": must be given together with --casts " + scene.casts);
   if (!program.given("--casts")) return;
+  if (are_one_file(scene.casts, scene.results))
+    throw Refused("--results " + scene.results + ": must be another file than --casts");
   const std::string results =
       program.checked("--casts", [&] { return results_of(read_casts(scene.casts), environment); });
   program.checked("--results", [&] { write_file(scene.results, results); });

@@ -77,6 +77,16 @@ TEST_CASE(
   CHECK(content_of(folder.path() / "out.csv").starts_with("hit,time,"));
 }
 
+TEST_CASE("Results do not take the place of the casts that they answer") {
+  const TemporaryFolder folder;
+  const std::string casts = "0,0,5,0,0,0,1\n";
+  std::ofstream(folder.path() / "in.csv") << casts;
+  for (const std::string same : {"in.csv", "./in.csv"})
+    check_refused(run_program("general_sphere", {"--casts", "in.csv", "--results", same}, folder.path()),
+                  {"--results " + same, "another file than --casts"});
+  CHECK(content_of(folder.path() / "in.csv") == casts);
+}
+
 TEST_CASE("A program that cannot print says so: also its help") {
   for (const std::string option : {"--help", "--json", "--no-figures"}) {
     CAPTURE(option);

@@ -6,6 +6,7 @@
 #include "first_contact/geometry/bounds.hpp"
 #include "first_contact/geometry/box.hpp"
 #include "first_contact/geometry/plane.hpp"
+#include "first_contact/geometry/transform.hpp"
 #include "first_contact/motion/bounce.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/motion/tween.hpp"

@@ -26,15 +26,16 @@ struct Parts;
 /// What limits it. In a small tree: step waits for step, from the first node to the contact. A walk as good as
 /// this one that took the first time it computes for the answer would need two thirds of the time; the rest
 /// makes the answer exact and whole: point, normal, feature and triangle, the same on every machine. In a
-/// large tree also memory, for which one cast waits and many take turns. A cast that begins in the ground costs more than others here, where it is asked what it goes deeper into,
-/// and less in the textbook, whose answer is 0 as soon as it overlaps anything.
+/// large tree also memory, for which one cast waits and many take turns. A cast that begins in the ground costs
+/// more than others here, where it is asked what it goes deeper into, and less in the textbook, whose answer is
+/// 0 as soon as it overlaps anything.
 class Bvh {
  public:
   /// Builds the tree, on all processors. At most 2^28 triangles.
   /// \throws std::length_error for more.
   explicit Bvh(Mesh mesh);
   ~Bvh();
-  /// Takes over another's tree.
+  /// Takes over another's tree; what is left there may be assigned to, or thrown away.
   Bvh(Bvh&&) noexcept;
   /// The same.
   Bvh& operator=(Bvh&&) noexcept;
