@@ -6,6 +6,7 @@
 
 #include "07_tween_bounce/printed_bounce.hpp"
 #include "catch.hpp"
+#include "first_contact/geometry/transform.hpp"
 #include "first_contact/motion/bounce.hpp"
 #include "first_contact/motion/easing.hpp"
 #include "first_contact/motion/sweep_along.hpp"
