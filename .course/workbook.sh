@@ -95,7 +95,7 @@ show_error() {
 
 check_exercise() {
   local id=${1:-} file folder
-  [[ -n "$id" ]] || id=$(next_exercise)
+  (($#)) || id=$(next_exercise)
   [[ -n "$id" ]] || { echo "All exercises are solved."; return; }
   must_be_exercise "$id"
   [[ $# -le 2 ]] || { say "course: check $3: must be an exercise and at most one file"; exit 2; }

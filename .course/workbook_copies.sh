@@ -23,7 +23,7 @@ copy_workbook() {
   must_be_new "$to" workbook
   mkdir -p "$to/.course" "$to/chapters"
   cp -R chapters/workbook "$to/chapters/"
-  cp .course/workbook.sh "$to/.course/"
+  cp .course/words.sh .course/workbook.sh "$to/.course/"
   cp .course/copy/course .course/copy/README.md LICENSE "$to/"
   printf '/build/\n/.progress\n' >"$to/.gitignore"
   for folder in chapters/[0-9][0-9]_*/exercises/*/; do

@@ -29,9 +29,9 @@ export const hasTest = (name) => tests.some((text) => text.includes(`"${name}"`)
 function pictureOf(picture) {
   if (!picture) return '';
   const path = `../../figures/${picture}.svg`;
-  for (const {source} of chapters) {
+  for (const {source, number, title} of chapters) {
     const text = read(source), at = text.indexOf(`](${path})`);
-    if (at >= 0) return `![${text.slice(text.lastIndexOf('![', at) + 2, at)}](${path})\n{#${picture.replaceAll('/', '-').replaceAll('_', '-')}} From the chapter.\n\n`;
+    if (at >= 0) return `![${text.slice(text.lastIndexOf('![', at) + 2, at)}](${path})\n{#${picture.replaceAll('/', '-').replaceAll('_', '-')}} From chapter ${number}, *${title}*.\n\n`;
   }
   throw new Error(`museum.json: ${picture} stands in no essay`);
 }

@@ -43,6 +43,10 @@ verdict() {  # WORDS, then what is typed
   printf '#include "task.hpp"\n%s\n' "$*" >"$place/my.hpp"
   says "$(cd "$place" && copy/course check 1a my.hpp 2>&1)" "$words"
 }
+ln -s "$place/copy/course" "$place/by_link"
+check "a copy works by a link" says "$(cd / && "$place/by_link" progress 2>&1)" "1a"
+check "an exercise without a name is refused" eval '! (cd "$place" && copy/course check "" >/dev/null 2>&1)'
+check "no escape reaches the terminal" eval '! (cd "$place" && copy/course $'"'"'\e[31mred'"'"' 2>&1) | grep -q $'"'"'\e'"'"''
 check "as handed out" says "$(cd "$place" && copy/course check 2>&1)" "as shipped"
 check "an index out of range" verdict "a crash (" "$head { std::vector<double> a(3); return a[7]; }"
 check "an empty optional" verdict "a crash (" "$head { std::optional<double> t; return *t; }"
