@@ -95,8 +95,10 @@ show_error() {
 
 check_exercise() {
   local id=${1:-} file folder
-  (($#)) || id=$(next_exercise)
-  [[ -n "$id" ]] || { echo "All exercises are solved."; return; }
+  if ((!$#)); then
+    id=$(next_exercise)
+    [[ -n "$id" ]] || { echo "All exercises are solved."; return; }
+  fi
   must_be_exercise "$id"
   [[ $# -le 2 ]] || { say "course: check $3: must be an exercise and at most one file"; exit 2; }
   folder=$(folder_of "$id")
