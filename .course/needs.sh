@@ -19,7 +19,7 @@ system_at_hand() {
   esac
 }
 
-# The packages of a system for a purpose: course (to build, test and draw), notes, browser, bench, fuzz, coverage, format.
+# The packages of a system for a purpose: course (to build, test and draw), notes, browser, print, bench, fuzz, coverage, format.
 packages() {
   case "$1 $2" in
     "debian course") echo g++ cmake ninja-build libeigen3-dev libhwy-dev libgnuplot-iostream-dev libboost-dev libboost-iostreams-dev \
@@ -28,6 +28,7 @@ packages() {
     "debian notes") echo doxygen doxygen-awesome-css fonts-texgyre ;;
     "debian node") echo nodejs npm ;;
     "debian browser") ! grep -qx 'ID=debian' "$os_release" || echo chromium ;;  # Ubuntu's is no package of apt-get's
+    "debian print") echo poppler-utils fonts-arphic-uming ;;
     "debian bench") echo libbenchmark-dev libbullet-dev libfcl-dev libembree-dev ;;
     "debian coverage") echo gcovr ;;
     "debian everywhere") echo clang lld g++-aarch64-linux-gnu qemu-user-static wasi-libc libc++-dev-wasm32 \
@@ -36,13 +37,13 @@ packages() {
     "debian format") echo git clang-format clang-tidy shellcheck ;;
     "fedora course") echo gcc-c++ cmake ninja-build eigen3-devel highway-devel boost-devel cli11-devel json-devel catch-devel gnuplot \
         dejavu-serif-fonts dejavu-sans-fonts google-noto-sans-cjk-fonts ;;
-    "fedora notes") echo doxygen nodejs npm chromium ;;
+    "fedora notes") echo doxygen nodejs npm chromium poppler-utils ;;
     "arch course") echo gcc cmake ninja eigen highway boost cli11 nlohmann-json catch2 rapidcheck gnuplot ttf-dejavu noto-fonts-cjk ;;
-    "arch notes") echo doxygen nodejs npm chromium ;;
+    "arch notes") echo doxygen nodejs npm chromium poppler ;;
     "macos course") echo cmake ninja eigen highway boost cli11 nlohmann-json catch2 gnuplot ;;
-    "macos notes") echo doxygen node ;;
+    "macos notes") echo doxygen node poppler ;;
     "msys2 course") ucrt gcc cmake ninja eigen3 highway boost cli11 nlohmann-json catch gnuplot ;;
-    "msys2 notes") ucrt doxygen nodejs ;;
+    "msys2 notes") ucrt doxygen nodejs poppler ;;
   esac
 }
 ucrt() { printf 'mingw-w64-ucrt-x86_64-%s ' "$@"; }
@@ -184,12 +185,12 @@ has_notes_tools() {
     [[ -f "${DOXYGEN_AWESOME:-/usr/share/doxygen-awesome-css}/doxygen-awesome.css" ]]
 }
 
-# A browser for the checks of the pages: one that is there, or else Debian's.
+# A browser for the checks of the pages: one that is there, or else Debian's. Further purposes may be named.
 require_notes_and_browser() {
   local name
-  [[ -z "${CHROMIUM:-}" ]] || { require_notes; return; }
+  [[ -z "${CHROMIUM:-}" ]] || { require_notes "$@"; return; }
   for name in chromium chromium-browser google-chrome; do
-    ! command -v "$name" >/dev/null || { require_notes; return; }
+    ! command -v "$name" >/dev/null || { require_notes "$@"; return; }
   done
-  require_notes browser
+  require_notes browser "$@"
 }

@@ -1,16 +1,17 @@
 // All checks of the notes, each in a file of its own under docs/checks. Exit status 1 and a line for each fault.
-//   node docs/check.mjs [twice|essays|code|paper|links|browser ...]     without a name: all of them
-// `twice` builds the book; the others look at what was built.
+//   node docs/check.mjs [twice|essays|code|paper|links|browser|print ...]     without a name: all of them but print
+// `twice` builds the book; the others look at what was built, `print` at what ./course notes --pdf has made.
 import {checkBrowser} from './checks/browser.mjs';
 import {checkCode} from './checks/code.mjs';
 import {checkEssays} from './checks/essays.mjs';
 import {checkLinks} from './checks/links.mjs';
 import {checkPaper} from './checks/paper.mjs';
+import {checkPrint} from './checks/print.mjs';
 import {checkTwice} from './checks/twice.mjs';
 import {complaints, stopIfWrong} from './tools/book.mjs';
 
 const all = {twice: checkTwice, essays: checkEssays, code: checkCode, paper: checkPaper, links: checkLinks,
-             browser: checkBrowser};
+             browser: checkBrowser, print: checkPrint};
 const wanted = process.argv.slice(2);
 for (const name of wanted)
   if (!all[name]) {
@@ -19,7 +20,7 @@ for (const name of wanted)
   }
 
 for (const [name, check] of Object.entries(all)) {
-  if (wanted.length && !wanted.includes(name)) continue;
+  if (wanted.length ? !wanted.includes(name) : name === 'print') continue;
   const before = complaints.length;
   const said = await check();
   console.log(`${name}: ${said}${complaints.length > before ? `; ${complaints.length - before} faults` : ''}`);

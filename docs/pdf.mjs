@@ -1,101 +1,61 @@
 // The print edition: all chapters in one PDF with its figures as vectors, printed by Chromium from the finished pages.
-// It is printed twice: the first time tells on which page each part begins, the second has that in its contents.
-import {readFileSync, writeFileSync} from 'node:fs';
+// It is printed again until each page number that stands in it is right: a print tells on which page each place is.
+import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 import {executable} from './checks/browser.mjs';
-import {build, chapters, complain, escape, html, otherPages, read, stopIfWrong} from './tools/book.mjs';
-import {chapterMap} from './tools/generated.mjs';
+import {checkPrint} from './checks/print.mjs';
+import {build, complain, docs, escape, html, read, stopIfWrong} from './tools/book.mjs';
 import {unresolvedIn} from './tools/references.mjs';
 import {treeOf} from './tools/tree.mjs';
+import {bodyOf} from './print/body.mjs';
+import {finishPdf} from './print/finish.mjs';
+import {colophon, contents, titlePage} from './print/front.mjs';
+import {blanksFor, pagesOf} from './print/pages.mjs';
+import {answers, index, parts} from './print/parts.mjs';
+import {clearMarks, indexText} from './print/terms.mjs';
 
-const goesOn = (part) => part.isLibrary && part.folder;
-const parts = [otherPages.find(({id}) => id === 'reading'), ...chapters, ...otherPages.filter(({front}) => !front)];
-
-// Files that are folded on their page would be half of the book: here their names lead to them.
-function nameWholeFiles(tree) {
-  tree('details.whole').each((_, element) => {
-    const file = tree(element), id = file.attr('id');
-    file.replaceWith(`<p class="elsewhere"${id ? ` id="${id}"` : ''}>${file.children('summary').html()}</p>`);
-  });
-}
-
-// Where a link leads in the book, as #PLACE; nowhere if that page is not in it.
-function placeInBook(target, own) {
-  if (target.startsWith('#')) return '#' + own(target.slice(1));
-  const [, page, name] = /^([\w-]+\.html)(?:#(.+))?$/.exec(target) ?? [];
-  const part = parts.find((each) => each.page === page);
-  if (!page) return target;
-  return part && `#${name ? `${part.id}--${name}` : part.id}`;
-}
-
-// The page's anchors made its own, so that pages can stand in one file.
-function renameAnchors(tree, id) {
-  const own = (name) => `${id}--${name}`;
-  tree('*').each((_, {attribs}) => {
-    for (const [name, value] of Object.entries(attribs)) {
-      const renamed = name === 'id' ? own(value) : /^(xlink:)?href$/.test(name) ? placeInBook(value, own)
-                    : value.replace(/url\(#([^)]+)\)/g, (_, target) => `url(#${own(target)})`);
-      if (renamed === undefined) delete attribs[name];
-      else attribs[name] = renamed;
-    }
-  });
-}
-
-// The body of a finished page.
-function bodyOf({id, page, ...part}) {
-  const tree = treeOf(read(html, page));
-  nameWholeFiles(tree);
-  renameAnchors(tree, id);
-  tree('nav.turn').remove();
-  tree('details').attr('open', '');
-  const text = tree('.textblock').html();
-  return tree.html('svg.glyphs') + tree.html('h1.title') + (goesOn(part) ? `<div class="columns">${text}</div>` : text);
-}
-
-const running = ({number, title}) => (number ? `${number} · ` : '') + title;
-
-// Each part has pages of its own name, with its title at their foot; the folders of the library go on where it ends.
-const pageRules = () => parts.map((part) => (goesOn(part) ? '' :
-  `@page ${part.id} { @bottom-left { content: ${JSON.stringify(running(part))}; } } `) +
-  `#${part.id} { page: ${goesOn(part) ? 'library' : part.id}; }`).join('\n');
-
-function entry(part, pages) {
-  const about = part.question ? `<small>${escape(part.question)}</small>` : '';
-  return `<li><a href="#${part.id}"><span class="number">${part.number ?? ''}</span><span class="name">${escape(part.title)}${about}</span>` +
-         `<span class="page">${pages.get(part.id) ?? ''}</span></a></li>`;
-}
-
-function assemble(pages) {
-  const style = (name) => `<style>${read(html, name)}</style>`;
-  const article = (part) => `<article id="${part.id}"${goesOn(part) ? ' class="goes-on"' : ''}><div class="contents"><div class="textblock">${bodyOf(part)}</div></div></article>`;
-  return `<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` +
-    ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') +
-    `<style>@media print { ${pageRules()} }</style></head><body class="book"><main>` +
-    `<section class="title-page"><h1>First Contact</h1><p class="what">Collision detection and tweened animation,<br>chapter by chapter</p>` +
-    `<p class="chinese" lang="zh-Hant">碰撞偵測與補間動畫</p>${chapterMap()}<p class="after">After Shing-Min Hu, 胡興民, 〈以補間動畫實作碰撞偵測〉</p></section>` +
-    `<section class="toc"><h1>Contents</h1><ul>${parts.filter((part) => !goesOn(part)).map((part) => entry(part, pages)).join('')}</ul></section>` +
-    parts.map(article).join('') + '</main></body></html>';
-}
-
-/// On which page of a PDF each of its named places is. Chromium writes both lists in plain text.
-function pagesOf(file) {
-  const objects = new Map([...readFileSync(file, 'latin1').matchAll(/^(\d+) 0 obj\n(<<[^]*?)\nendobj/gm)].map(([, id, body]) => [id, body]));
-  const references = (text) => [...text.matchAll(/(\d+) 0 R/g)].map(([, id]) => id);
-  const leaves = (id) => {
-    const kids = /\/Kids \[([^\]]*)\]/.exec(objects.get(id))?.[1];
-    return kids ? references(kids).flatMap(leaves) : [id];
-  };
-  const catalog = [...objects.values()].find((body) => body.includes('/Type /Catalog'));
-  const [, tree] = /\/Pages (\d+) 0 R/.exec(catalog), [, names] = /\/Dests (\d+) 0 R/.exec(catalog);
-  const order = leaves(tree);
-  return new Map([...objects.get(names).matchAll(/\/(\S+) \[(\d+) 0 R/g)].map(([, name, id]) => [name, order.indexOf(id) + 1]));
-}
-
+const mostPrints = 6, smallestCode = 8;  // points
 const book = join(build, 'book.html'), pdf = join(build, 'first-contact.pdf');
-const flags = ['--no-sandbox', '--disable-gpu', '--export-tagged-pdf'];
-const browser = await chromium.launch({executablePath: executable(), args: flags});
+const faces = ['stix-two-text/400', 'stix-two-text/400-italic', 'stix-two-text/600', 'stix-two-text/600-italic',
+               'ubuntu-mono/400', 'ubuntu-mono/700', 'ubuntu-mono/400-italic'];
+
+// Each part has pages of its own name, with its title at their outer foot; what goes on in another has that one's.
+function pageRules() {
+  return parts.map(({id, under, number, title}) => {
+    const foot = `content: ${JSON.stringify((number ? `${number} · ` : '') + title)};`;
+    const rules = `@page ${id}:left { @bottom-right { ${foot} } } @page ${id}:right { @bottom-left { ${foot} } } `;
+    return (under ? '' : rules) + `#${id} { page: ${under ?? id}; }`;
+  }).join('\n');
+}
+
+// The answers, chapter by chapter, and the index are made of what was found in the chapters.
+function madeParts(bodies, pages) {
+  const given = parts.filter(({id}) => bodies.get(id)?.answers).map(({id, number, title}) =>
+    `<section><h2>Chapter ${number} · ${escape(title)}</h2>${bodies.get(id).answers}</section>`);
+  const made = ({title}, text) => ({title: `<h1 class="title">${title}</h1>`, text, glyphs: '', sections: []});
+  bodies.set(answers.id, made(answers, given.join('')));
+  bodies.set(index.id, made(index, indexText(pages)));
+}
+
+function article({id, under, isLibrary}, {title, text, glyphs}, blanks) {
+  const inColumns = isLibrary && under ? `<div class="columns">${text}</div>` : text;
+  return (blanks.has(id) ? '<div class="blank">&nbsp;</div>' : '') +
+         `<article id="${id}"${under ? ' class="goes-on"' : ''}><div class="contents"><div class="textblock">${glyphs}${title}${inColumns}</div></div></article>`;
+}
+
+function assemble(pages, blanks) {
+  clearMarks();
+  const bodies = new Map(parts.filter(({page}) => page).map((part) => [part.id, bodyOf(part, pages)]));
+  madeParts(bodies, pages);
+  const face = (name) => `<link rel="stylesheet" href="${pathToFileURL(join(docs, 'node_modules/@fontsource', name + '.css')).href}">`;
+  const style = (name) => `<style>${read(html, name)}</style>`;
+  return `<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` + faces.map(face).join('') +
+    ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') +
+    `<style>@media print { ${pageRules()} }</style></head><body class="book"><main>${titlePage()}${colophon()}${contents(bodies, pages)}` +
+    parts.map((part) => article(part, bodies.get(part.id), blanks)).join('') + '</main></body></html>';
+}
 
 // A drawing or a link that refers to what is not there is printed as nothing, and nobody is told.
 function checkReferences(text) {
@@ -103,19 +63,46 @@ function checkReferences(text) {
   stopIfWrong('assembling the print edition');
 }
 
-async function print(pages) {
-  const text = assemble(pages);
+// In the page: what a formula says becomes as wide as its drawing; how small is the smallest line of code?
+function fitFormulas() {
+  for (const said of document.querySelectorAll('.said')) {
+    const drawn = said.parentElement.querySelector('svg').getBoundingClientRect().width, own = said.scrollWidth;
+    if (own) said.style.transform = `scaleX(${drawn / own})`;
+  }
+  const lines = [...document.querySelectorAll('.fragment .line, pre .line, pre code')];
+  return 0.75 * Math.min(...lines.map((line) => parseFloat(getComputedStyle(line).fontSize)));
+}
+
+async function print(browser, pages, blanks) {
+  const text = assemble(pages, blanks);
   checkReferences(text);
   writeFileSync(book, text);
   const page = await browser.newPage();
   await page.goto(pathToFileURL(book).href);
+  await page.emulateMedia({media: 'print'});
+  await page.evaluate(() => document.fonts.ready);
+  const code = await page.evaluate(fitFormulas);
+  if (code < smallestCode) complain('the print edition', `code of ${code.toFixed(1)} points: must be ${smallestCode} at the least`);
   await page.pdf({path: pdf, printBackground: true, outline: true, tagged: true, preferCSSPageSize: true});
   await page.close();
   return pagesOf(pdf);
 }
 
-const first = await print(new Map()), second = await print(first);
+const same = (a, b) => a.size === b.size && [...a].every(([name, page]) => b.get(name) === page);
+
+const flags = ['--no-sandbox', '--disable-gpu', '--export-tagged-pdf'];
+const browser = await chromium.launch({executablePath: executable(), args: flags});
+let told = {count: 0, places: new Map()}, blanks = new Set(), isRight = false;
+for (let prints = 0; !isRight && prints < mostPrints; ++prints) {
+  blanks = blanksFor(told, blanks);
+  const printed = await print(browser, told.places, blanks);
+  isRight = same(printed.places, told.places);
+  told = printed;
+}
 await browser.close();
-for (const {id} of parts)
-  if (!second.has(id) || first.get(id) !== second.get(id)) throw new Error(`the contents have page ${first.get(id)} for ${id}, which is on ${second.get(id)}`);
-console.log(`The print edition is build/notes/first-contact.pdf`);
+if (!isRight) complain('the print edition', `after ${mostPrints} prints its page numbers still move`);
+await finishPdf(pdf);
+writeFileSync(join(build, 'places.json'), JSON.stringify(Object.fromEntries(told.places), null, 1));
+const said = await checkPrint();
+stopIfWrong('checking the print edition');
+console.log(`The print edition is build/notes/first-contact.pdf: ${said}`);

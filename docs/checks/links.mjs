@@ -42,5 +42,7 @@ export function checkLinks() {
     if (page.hasToken) complain(name, 'a token was left in the page');
     links += page.links.length;
   }
+  for (const file of filesBelow(html, (name) => name.endsWith('.svg')))
+    for (const target of unresolvedIn(treeOf(read(file)))) complain(basename(file), `no such drawing: #${target}`);
   return `${links} links on ${pages.size} pages`;
 }

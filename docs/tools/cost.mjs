@@ -5,11 +5,11 @@ import {join} from 'node:path';
 import {read, root} from './book.mjs';
 
 const kinds = {
-  'dot product': /\.dot\(|\.squaredNorm\(\)|\.signed_distance\(/g,
-  'cross product': /\.cross\(|\baccurate_cross\(/g,
+  'dot product': /\b(?:dot|squared_norm|squaredNorm|signed_distance)\(/g,
+  'cross product': /\b(?:accurate_)?cross\(/g,
   multiplication: / \*=? /g,
   division: / \/=? /g,
-  root: /\bsqrt\(|\.(?:stableN|n)orm(?:alized)?\(\)/g,
+  root: /\b(?:sqrt|norm|normalized|stableNorm)\(/g,
 };
 const words = ['no', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
 
@@ -32,5 +32,6 @@ export function cost(body) {
   const part = whole === kind ? (code) => code : inLoop;
   const count = listings.split(/,\s*/).map((listing) => part(codeOf(...listing.trim().split(/\s+/))).match(kinds[kind])?.length ?? 0)
       .reduce((sum, each) => sum + each, 0);
+  if (count === 0 && kind !== 'root') throw new Error(`cost ${body}: there is none`);
   return `${words[count] ?? count} ${kind}${count === 1 || count === 0 && kind === 'root' ? '' : 's'}`;
 }

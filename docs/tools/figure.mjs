@@ -3,6 +3,8 @@ import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {optimize} from 'svgo';
 import {read, root} from './book.mjs';
+import {unresolvedIn} from './references.mjs';
+import {treeOf} from './tree.mjs';
 
 const darkRules = new Set();  // of all figures that were inlined
 
@@ -32,13 +34,27 @@ const withoutUnused = (svg) => optimized(svg, {name: 'cleanupIds', params: {mini
   'removeUselessDefs', 'removeEmptyContainers');
 const withOwnNames = (svg, prefix) => optimized(svg, {name: 'prefixIds', params: {prefix, delim: '-', prefixClassNames: false}});
 
+/// How many points a figure plots: gnuplot draws each by a reference to its mark, which stands among the definitions.
+export const plottedIn = (svg) => svg.replace(/<defs>[^]*?<\/defs>/g, '').match(/<use\b/g)?.length ?? 0;
+
+// None may be lost on the way, and none lead nowhere.
+function checkMarks(path, before, after) {
+  const [lost] = unresolvedIn(treeOf(after));
+  if (lost) throw new Error(`the figure ${path} draws a mark that it does not have: ${lost}`);
+  if (plottedIn(before) !== plottedIn(after))
+    throw new Error(`the figure ${path} has ${plottedIn(before)} plotted points, its page ${plottedIn(after)}`);
+}
+
 /// The figure of that path (from the root) as inline SVG with its alternative text.
 export function inlineFigure(path, prefix, alternative) {
   const file = join(root, path);
   if (!existsSync(file)) throw new Error(`there is no figure ${path}`);
-  let svg = cleaned(read(file), alternative);
+  const source = read(file);
+  let svg = cleaned(source, alternative);
   for (let before = ''; before !== svg;) [before, svg] = [svg, withoutUnused(svg)];  // a mark may be drawn by another alone
-  return withOwnNames(svg, prefix);
+  const result = withOwnNames(svg, prefix);
+  checkMarks(path, source, result);
+  return result;
 }
 
 const papers = {light: '#fffefb', dark: '#15191c'};  // as in theme/book.css

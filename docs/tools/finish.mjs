@@ -1,6 +1,6 @@
 // Doxygen's pages become the book's: tokens in their place, contents beside them, landmarks, and the style of formulas
 // and figures.
-import {writeFileSync} from 'node:fs';
+import {rmSync, writeFileSync} from 'node:fs';
 import {basename, join} from 'node:path';
 import {chapters, filesBelow, html, otherPages, read} from './book.mjs';
 import {figureStyle} from './figure.mjs';
@@ -74,5 +74,6 @@ export function finish() {
     shareGlyphs(tree);
     writeFileSync(path, tree.html());
   }
+  rmSync(join(html, 'doxygen.svg'), {force: true});  // no page shows it, and it draws what it does not have
   writeFileSync(join(html, 'made.css'), formulaStyle() + '\n' + figureStyle());
 }

@@ -1,0 +1,29 @@
+// What stands in the printed book, in its order, and how a link within it is written.
+import {chapters, otherPages} from '../tools/book.mjs';
+
+const page = (id) => otherPages.find((each) => each.id === id);
+const library = otherPages.filter(({isLibrary, folders}) => isLibrary && folders);
+const exercises = otherPages.filter(({isExercise}) => isExercise);
+const back = otherPages.filter(({front, isLibrary, isWorkbook}) => !front && !isLibrary && !isWorkbook);
+
+/// The answers and the index are made here; `under` is the part that a part goes on in, without a new page.
+export const answers = {id: 'answers', title: 'Answers'}, index = {id: 'terms', title: 'Index'};
+export const parts = [
+  {...page('reading'), onRight: true},
+  ...chapters.map((chapter) => ({...chapter, onRight: true})),
+  {...page('library'), onRight: true}, ...library.map((part) => ({...part, under: 'library'})),
+  {...page('workbook'), onRight: true}, ...exercises.map((part) => ({...part, under: 'workbook'})),
+  ...back.slice(0, 1), {...answers, onRight: true}, ...back.slice(1), index,
+];
+
+/// Where a link leads in the book, as #PLACE; nowhere if that page is not in it.
+export function placeInBook(target, own) {
+  if (target.startsWith('#')) return '#' + own(target.slice(1));
+  const [, name, anchor] = /^([\w-]+\.html)(?:#(.+))?$/.exec(target) ?? [];
+  const part = parts.find((each) => each.page === name);
+  if (!name) return target;
+  return part && `#${anchor ? `${part.id}--${anchor}` : part.id}`;
+}
+
+/// The part that a place is in.
+export const partOf = (place) => place.split('--')[0];

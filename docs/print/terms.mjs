@@ -1,0 +1,60 @@
+// The index: every term of the glossary, with the pages on which a chapter tells of it first.
+import {docs, escape, read} from '../tools/book.mjs';
+
+const rows = [...read(docs, 'pages/glossary.md').matchAll(/^\| ([^|]+?) \| ([^|]+?) \| [^|]+ \|/gm)].slice(2)
+    .map(([, english, chinese]) => ({english, chinese}));
+
+// "bounding volume hierarchy, BVH" is found by either name; what stands in brackets is for the reader alone.
+const namesOf = (english) => english.replace(/ \([^)]*\)/g, '').split(/, | \/ /).map((name) => name.trim());
+const plural = (name) => name.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace(/x$/, 'x(es)?').replace(/y$/, '(y|ies)') + '(s|es)?';
+
+/// The terms: their names, and a pattern that finds them in a text.
+export const terms = rows.map(({english, chinese}) => ({english, chinese,
+  pattern: new RegExp(`(?<![\\w-])(${namesOf(english).map(plural).join('|')})(?![\\w-])`, /[a-z]/.test(english) ? 'i' : '')}));
+
+const marks = new Map();  // English -> place -> is it told there what it means?
+
+/// Before the chapters are gone through, again.
+export const clearMarks = () => terms.forEach(({english}) => marks.set(english, new Map()));
+
+/// Notes where a chapter first uses each term, and where it sets the term in italics: there it says what it means.
+export function markTerms(tree, id) {
+  const blocks = tree('.textblock p, .textblock li, .textblock figcaption').toArray().map((element) =>
+    ({element, text: tree(element).text(), told: tree(element).find('em').toArray().map((em) => tree(em).text())}));
+  for (const {english, pattern} of terms) {
+    const isTold = ({told}) => told.some((text) => pattern.test(text));
+    const first = blocks.find(({text}) => pattern.test(text)), explained = blocks.find(isTold);
+    for (const block of new Set([first, explained].filter(Boolean))) mark(tree, id, block.element, english, isTold(block));
+  }
+}
+
+function mark(tree, id, element, english, told) {
+  const found = tree(element).attr('data-term') ?? `${id}--term-${tree('[data-term]').length}`;
+  if (!tree(element).attr('data-term')) tree(element).attr('data-term', found).prepend(`<span id="${found}"></span>`);
+  marks.get(english).set(found, told);
+}
+
+function entry({english, chinese}, pages) {
+  const places = new Map();  // page -> place; where the term is told is set in bold
+  for (const [place, told] of marks.get(english)) {
+    const page = pages.get(place) ?? place, before = places.get(page);
+    places.set(page, {place, told: told || before?.told});
+  }
+  const numbers = [...places].sort(([a], [b]) => a - b || 0).map(([page, {place, told}]) =>
+    `<a href="#${place}"${told ? ' class="told"' : ''}>${pages.has(place) ? page : '000'}</a>`);
+  return `<li>${escape(english)} <span class="chinese" lang="zh-Hant">${escape(chinese)}</span> ${numbers.join(', ')}</li>`;
+}
+
+const byName = (a, b) => a.english.localeCompare(b.english, 'en');
+
+/// The index as HTML.
+export function indexText(pages) {
+  const letters = new Map();
+  for (const term of [...terms].sort(byName)) {
+    const letter = term.english[0].toUpperCase();
+    letters.set(letter, [...letters.get(letter) ?? [], entry(term, pages)]);
+  }
+  const about = 'In bold: where it is told what a term means. Of each chapter that uses it, the first place is named.';
+  return `<p class="about">${about}</p>` + '<div class="columns">' +
+         [...letters].map(([letter, entries]) => `<h2 class="letter">${letter}</h2><ul>${entries.join('')}</ul>`).join('') + '</div>';
+}
