@@ -25,7 +25,8 @@ packages() {
     "debian course") echo g++ cmake ninja-build libeigen3-dev libhwy-dev libgnuplot-iostream-dev libboost-dev libboost-iostreams-dev \
         libboost-filesystem-dev libcli11-dev nlohmann-json3-dev catch2 librapidcheck-dev gnuplot-nox \
         fonts-dejavu-core fonts-dejavu-extra fonts-noto-cjk ;;
-    "debian notes") echo doxygen doxygen-awesome-css fonts-texgyre ;;
+    "debian notes") echo doxygen doxygen-awesome-css fonts-texgyre clang lld wasi-libc libc++-dev-wasm32 \
+        libclang-rt-dev-wasm32 ;;
     "debian node") echo nodejs npm ;;
     "debian browser") ! grep -qx 'ID=debian' "$os_release" || echo chromium ;;  # Ubuntu's is no package of apt-get's
     "debian print") echo poppler-utils fonts-arphic-uming ;;

@@ -4,7 +4,7 @@ import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
-import {executable} from './checks/browser.mjs';
+import {executable} from './checks/browsing.mjs';
 import {checkPrint} from './checks/print.mjs';
 import {build, complain, docs, escape, html, read, stopIfWrong} from './tools/book.mjs';
 import {unresolvedIn} from './tools/references.mjs';

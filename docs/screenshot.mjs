@@ -2,7 +2,7 @@
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
-import {executable} from './checks/browser.mjs';
+import {executable} from './checks/browsing.mjs';
 import {docs, html} from './tools/book.mjs';
 
 const [page, width, height] = ['plane.html', 1180, 1000];

@@ -3,6 +3,7 @@
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/plane_error.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
+#include "frames.hpp"
 
 using namespace first_contact;
 using namespace first_contact::program;
@@ -15,8 +16,14 @@ struct Scene {
   Point from{-0.9, 0, 2.1};
   Point to{0.75, 0, 0.5};
   double radius = 0.7;
+  double length = 2;  // of a normal, in the formula as printed
+  long frames = 0;    // at which one looks as well
 };
 //! [scene]
+
+std::string at_most_a_thousand(double value) {
+  return value >= 0 && value <= 1000 ? "" : "must be from 0 to 1000";
+}
 
 //! [report]
 // Each number is given once: to the reader, and by the rest of its line to --json and to the notes.
@@ -67,13 +74,26 @@ void tell_corrections(Report& report, const Scene& scene, const Moving<Sphere>& 
   report.say({"As printed: any N will do, and any N.V but 0 is a collision",
               "論文原式：N 不限單位長，N.V 不為零就會碰撞"});
   report.row("t with N", time(scene.radius - distance, toward), {"N of unit length", "N 為單位向量"});
-  report.row("t with 2N", time(scene.radius - 2 * distance, 2 * toward),
-             {"the same plane with N twice as long: another time", "同一平面，N 為兩倍長：時間不同"});
+  const std::string length = readable(scene.length);
+  report.row("t with " + length + "N", time(scene.radius - scene.length * distance, scene.length * toward),
+             {"the same plane, N " + length + " times as long: another time",
+              "同一平面，N 為 " + length + " 倍長：時間不同"});
   report.say(
       {"Corrected: |N| = 1 by construction; a collision only if N.V < 0 on the sphere's side and 0 <= t <= 1",
        "修正：N 恆為單位長；僅當 N.V < 0 且 0 <= t <= 1 才是碰撞"});
   report.row("collision", std::string(sweep(ball, scene.plane) ? "true" : "false"),
              {"in this scene", "此場景"});
+}
+
+// What one learns who looks at the frames of a film alone.
+void tell_frames(Program& program, const Scene& scene, const Moving<Sphere>& ball) {
+  if (scene.frames == 0) return;
+  const auto first = first_frame_of_overlap(scene.frames, ball, scene.plane);
+  program.report().say({"Asking at the frames of a film alone, and not between them", "只在每一格畫面檢查"});
+  program.row("frames", scene.frames, {"after the one at t = 0", "t = 0 之後的格數"});
+  program.row("first", first ? readable(*first) : std::string("-"),
+              {"frame in which the two overlap", "球面與平面重疊的第一格"});
+  program.result("/frames/first_overlap", first);
 }
 //! [report]
 
@@ -87,6 +107,7 @@ void note(Program& program, const Scene& scene, const Moving<Sphere>& ball,
   program.value("gap", distance - scene.radius);
   program.value("gap_end", scene.plane.signed_distance(scene.to) - scene.radius);
   program.value("printed_time", (scene.radius - distance) / toward);
+  program.value("scaled_time", (scene.radius - scene.length * distance) / (scene.length * toward));
   for (const double length : {0.5, 2.0}) {  // of a normal that was not made a unit vector
     const std::string name = length < 1 ? "short" : "long";
     program.value(name + "_time", (scene.radius - length * distance) / (length * toward));
@@ -108,6 +129,9 @@ int main(int argc, char** argv) {
   program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
   program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
+  program.option("--length", scene.length, "l", "of a normal in the formula as printed", positive);
+  program.option("--frames", scene.frames, "n", "look at n frames of the motion as well; 0: at none",
+                 at_most_a_thousand);
   return program.run(argc, argv, [&] {
     const auto ball = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
@@ -115,6 +139,7 @@ int main(int argc, char** argv) {
     const auto contact = sweep(ball, scene.plane);
     tell(program, scene, ball, contact);
     tell_corrections(program.report(), scene, ball);
+    tell_frames(program, scene, ball);
     note(program, scene, ball, contact);
     if (program.draws()) draw_plane_figures(program, scene.plane, ball, contact);
   });

@@ -1,17 +1,10 @@
 // Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
 // console, no formula in error, nothing wider than its page, text and figures' letters with enough contrast (WCAG AA);
 // and by the keyboard alone.
-import {existsSync} from 'node:fs';
-import {basename, delimiter, join} from 'node:path';
+import {basename} from 'node:path';
 import {pathToFileURL} from 'node:url';
-import {chromium} from 'playwright-core';
 import {chapters, complain, filesBelow, html, otherPages} from '../tools/book.mjs';
-
-const folders = [...(process.env.PATH ?? '').split(delimiter), '/Applications/Google Chrome.app/Contents/MacOS',
-                 'C:/Program Files/Google/Chrome/Application'];
-const names = ['chromium', 'chromium-browser', 'google-chrome', 'Google Chrome', 'chrome.exe'];
-export const executable = () => process.env.CHROMIUM ??
-  names.flatMap((name) => folders.map((folder) => join(folder, name))).find(existsSync);
+import {openBrowser, openTab} from './browsing.mjs';
 
 const views = [['light', 1280, 900], ['dark', 1280, 900], ['light', 390, 800]];
 const keyboard = new Set(['index.html', 'plane.html', 'tween-bounce.html', 'library-motion.html']);  // one of each kind
@@ -126,13 +119,9 @@ async function faultsOfKeyboard(page) {
 
 // One tab a view, that visits page after page; what it hears is about the page that is open.
 // Motion is reduced: where the focus is after a key does not depend on how far a smooth scroll has come.
-async function openTab(browser, [colorScheme, width, height]) {
-  const page = await browser.newPage({colorScheme, reducedMotion: 'reduce', viewport: {width, height}});
+async function openVisitor(browser, [colorScheme, width, height]) {
   let name = '';
-  page.on('console', (message) => { if (message.type() === 'error') complain(name, `console: ${message.text()}`); });
-  page.on('pageerror', (error) => complain(name, `error: ${error.message}`));
-  page.on('request', (request) => { if (!/^(file|data|about|javascript):/.test(request.url())) complain(name, `asks for ${request.url()}`); });
-  page.on('requestfailed', (request) => { if (request.url().startsWith('file:')) complain(name, `is not there: ${basename(request.url())}`); });
+  const page = await openTab(browser, {colorScheme, reducedMotion: 'reduce', viewport: {width, height}}, () => name);
   return async (file, wholeBook) => {
     name = `${basename(file)} (${colorScheme}, ${width})`;
     await page.goto(pathToFileURL(file).href);
@@ -143,16 +132,12 @@ async function openTab(browser, [colorScheme, width, height]) {
 }
 
 export async function checkBrowser() {
-  const executablePath = executable();
-  if (!executablePath) {
-    complain('browser', 'there is no Chromium: install the package chromium, or name one in $CHROMIUM');
-    return 'not run';
-  }
-  const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--disable-gpu']});
+  const browser = await openBrowser();
+  if (!browser) return 'not run';
   const book = new Set([...chapters, ...otherPages].map(({page}) => page));
   const pages = filesBelow(html, isOurs);
   await Promise.all(views.map(async (view, i) => {
-    const visit = await openTab(browser, view);
+    const visit = await openVisitor(browser, view);
     for (const file of pages)
       if (i === 0 || book.has(basename(file))) await visit(file, book.has(basename(file)));
   }));

@@ -64,8 +64,8 @@ const luminance = (colour) => parts(colour).map((part) => part / 255)
     .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4)
     .reduce((sum, part, i) => sum + part * [0.2126, 0.7152, 0.0722][i], 0);
 
-// The colour, moved towards ink as far as letters need it to be read on the paper (WCAG AA: 4.5 to 1).
-function forLetters(colour, theme) {
+/// The colour, moved towards ink as far as letters need it to be read on the paper (WCAG AA: 4.5 to 1).
+export function forLetters(colour, theme) {
   const end = theme === 'light' ? 0 : 255;
   for (let part = 0;; part += 0.02) {
     const moved = hex(parts(colour).map((value) => value + part * (end - value)));

@@ -3,9 +3,10 @@
 import {rmSync, writeFileSync} from 'node:fs';
 import {basename, join} from 'node:path';
 import {chapters, filesBelow, html, otherPages, read} from './book.mjs';
-import {figureStyle} from './figure.mjs';
+import {figureStyle, forLetters} from './figure.mjs';
 import {formulaStyle, shareGlyphs} from './formula.mjs';
 import {contents} from './generated.mjs';
+import {buildTouch, colourVariables, touchLinks} from './touch.mjs';
 import {treeOf} from './tree.mjs';
 import {tokens} from './weave.mjs';
 
@@ -51,6 +52,7 @@ function mend(tree) {
   lowerHeadings(tree);
   setTitle(tree);
   withoutMarks(tree);
+  tree('th:empty').each((_, cell) => { cell.name = 'td'; });  // the corner of a table heads nothing
   tree('div.summary').remove();
   tree('p').has('> a.anchor:only-child:empty').remove();
   const isShort = (_, listing) => tree(listing).find('.line').length < 18;
@@ -72,8 +74,10 @@ export function finish() {
     mend(tree);
     tree('#contents').html(contents(name, ours.has(name.replace('.html', '')) ? sectionsOf(tree) : []));
     shareGlyphs(tree);
+    if (tree('.touch').length) tree('head').append(touchLinks);
     writeFileSync(path, tree.html());
   }
   rmSync(join(html, 'doxygen.svg'), {force: true});  // no page shows it, and it draws what it does not have
-  writeFileSync(join(html, 'made.css'), formulaStyle() + '\n' + figureStyle());
+  writeFileSync(join(html, 'made.css'), [formulaStyle(), figureStyle(), colourVariables(forLetters)].join('\n'));
+  buildTouch();
 }

@@ -73,6 +73,7 @@ function around(type, tag, words, state, map, meta) {
 }
 
 block('run', /<!-- run ([\w-]+): (.+?) -->$/my, alone('run', ([, name, options]) => ({name, options})));
+block('touch', /<!-- touch ([\w-]+) -->$/my, alone('touch', ([, name]) => ({name})));
 block('comment', /<!--[^]*?-->$/my, () => {});
 block('equation', /\$\$\s*([^]+?)\$\$$/my, alone('equation', ([, tex]) => ({tex})));
 block('command', /\\(snippet|folded|files|output) (.+)$/my, alone('command', ([, name, rest]) => ({name, rest})));

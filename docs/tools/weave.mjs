@@ -10,13 +10,14 @@ import {formula} from './formula.mjs';
 import {checkPage, filesOf, whereTold} from './library.mjs';
 import {markdown} from './markdown.mjs';
 import {typedNumbers} from './typed.mjs';
+import {canTouch} from './touch.mjs';
 import {formatted, runNamed, valueOf} from './values.mjs';
 
 export const tokens = [];
 const token = (html) => `\n\n\uE000${tokens.push(html) - 1}\uE001\n\n`;
 
 /// What the checks ask about afterwards.
-export const shown = {snippets: [], figures: [], equations: new Map(), outputs: [], typed: [], cited: new Set()};
+export const shown = {snippets: [], figures: [], equations: new Map(), outputs: [], typed: [], cited: new Set(), touch: []};
 
 const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
 
@@ -123,6 +124,13 @@ class Page {
            inlineFigure(moving, prefix + '-moves', alternative).replace('<svg', '<svg class="moves"');
   }
 
+  // A place that docs/touch/main.js fills; hidden until then.
+  touch({name}) {
+    if (!canTouch) return '';
+    shown.touch.push({name, page: this.id});
+    return `<figure class="touch" id="touch-${name}" data-figure="${name}" hidden></figure>`;
+  }
+
   equation({tex, line}) {
     const tag = /\\tag\{([^}]+)\}/.exec(tex)?.[1];
     const set = this.set(tex.replace(/\\tag\{[^}]+\}/, '').trim(), line, true);
@@ -223,6 +231,7 @@ const becomes = {
   fence: (page, part) => page.fence(part, 1 + part.map[0]),
   made: (page, {meta}) => page.made(meta),
   answer: (page, {meta}) => meta.ends ? '</details>' : '<details class="answer">',
+  touch: (page, {meta}) => page.touch(meta),
   run: () => '',
   command: (page, {meta}) => complain(page.where(meta.line), 'a listing must not stand within a list or a quotation') ?? '',
   table_open: () => '<table class="markdownTable">',

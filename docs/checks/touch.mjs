@@ -1,0 +1,206 @@
+// The figures to touch: ten random states of each are compared with what the program prints for the line that the page
+// shows, bit for bit; then each is moved by a pointer, by the keyboard and by a finger, sent by its link, and seen by axe.
+import {execFileSync} from 'node:child_process';
+import {mkdirSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {binaries, build, complain, html, read, shownByBuild} from '../tools/book.mjs';
+import {openBrowser, openTab} from './browsing.mjs';
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+const seed = 20261126, states = 10;
+
+// Numbers from 0 to 1, the same in each run (mulberry32).
+function dice(state) {
+  return () => {
+    state = state + 0x6D2B79F5 | 0;
+    let mixed = Math.imul(state ^ state >>> 15, 1 | state);
+    mixed = mixed + Math.imul(mixed ^ mixed >>> 7, 61 | mixed) ^ mixed;
+    return ((mixed ^ mixed >>> 14) >>> 0) / 4294967296;
+  };
+}
+
+// {contact: {point: [1, 2]}} as [["contact/point/0", 1], ["contact/point/1", 2]]
+const flattened = (value, name = '') => value === null || typeof value !== 'object' ? [[name, value]] :
+  Object.entries(value).flatMap(([key, part]) => flattened(part, name ? `${name}/${key}` : key));
+
+function printedBy(line) {
+  const [, , program, ...options] = line.split(' '), folder = join(build, 'touch');
+  mkdirSync(folder, {recursive: true});
+  const values = join(folder, 'values.json');
+  const all = [...options, '--json', '--no-figures', '--values', values];
+  const printed = execFileSync(join(binaries, program), all, {encoding: 'utf8'});
+  return new Map([...flattened(JSON.parse(read(values))), ...flattened(JSON.parse(printed))]);
+}
+
+// In the page: sets a state, parts of each parameter's range, and tells what the figure then shows.
+function setState(element, parts) {
+  const {figure} = element, entries = Object.entries(figure.own.parameters);
+  const between = (least, most, part) => least + part * (most - least);
+  entries.forEach(([name, {least, most, isPlace}], i) => figure.change(name, isPlace
+    ? least.map((each, k) => between(each, most[k], parts[2 * i + k])) : between(least, most, parts[2 * i])));
+  figure.show();
+  return {answer: figure.answer, line: figure.line.textContent};
+}
+
+async function compareNumbers(figure, name) {
+  const random = dice(seed), told = new Set(), seen = [];
+  for (let i = 0; i < states; ++i) {
+    const {answer, line} = await figure.evaluate(setState, Array.from({length: 40}, random));
+    if (answer.refused) complain(name, `${line}: ${answer.refused}`);
+    const page = new Map(flattened(answer).filter(([key]) => !key.startsWith('drawn/')));
+    for (const key of page.keys()) told.add(key);
+    seen.push({line, page, program: printedBy(line)});
+  }
+  for (const {line, page, program} of seen)
+    for (const key of told)
+      if (!Object.is(page.get(key) ?? null, program.get(key) ?? null))
+        complain(name, `${key} is ${page.get(key)} on the page, ${program.get(key)} by ${line}`);
+  if (!told.size) complain(name, 'tells no number that the program prints');
+  return told.size;
+}
+
+const stateOf = (figure) => figure.evaluate(({figure: {state}}) => JSON.stringify(state));
+
+async function expectChange(figure, name, how, act) {
+  const before = await stateOf(figure);
+  await act();
+  await figure.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+  if (before === await stateOf(figure)) complain(name, `does not move by ${how}`);
+}
+
+const middleOf = async (handle) => {
+  await handle.evaluate((element) => element.scrollIntoView({block: 'center'}));
+  const {x, y, width, height} = await handle.boundingBox();
+  return [x + width / 2, y + height / 2];
+};
+
+// Every handle by the pointer and by the arrows; every slider by the arrows, with Shift by less.
+async function moveByHand(page, figure, name) {
+  const press = (key) => page.keyboard.press(key);
+  await figure.locator('.buttons button').last().click();
+  for (const handle of await figure.locator('.handle').all()) {
+    const label = `${name}, ${await handle.getAttribute('aria-label')}`;
+    await expectChange(figure, label, 'the pointer', async () => {
+      const [x, y] = await middleOf(handle);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 6, y - 9, {steps: 3});
+      await page.mouse.up();
+    });
+    await expectChange(figure, label, 'an arrow', () => press('ArrowUp'));
+    await expectChange(figure, label, 'Shift and an arrow', () => press('Shift+ArrowDown'));
+    if (!await handle.getAttribute('aria-valuetext')) complain(label, 'does not say its place');
+  }
+  for (const slider of await figure.locator('input').all()) {
+    const label = `${name}, ${await slider.getAttribute('aria-label')}`;
+    await slider.focus();
+    await expectChange(figure, label, 'an arrow', async () => {
+      await press('ArrowLeft');
+      await press('Shift+ArrowLeft');
+    });
+  }
+}
+
+async function moveByFinger(page, figure, name) {
+  const client = await page.context().newCDPSession(page), handle = figure.locator('.handle').first();
+  if (!await handle.count()) return;
+  const [x, y] = await middleOf(handle), scrolled = () => page.evaluate(() => scrollY), before = await scrolled();
+  const touch = (type, ...points) =>
+    client.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([a, b]) => ({x: a, y: b}))});
+  await expectChange(figure, name, 'a finger', async () => {
+    await touch('touchStart', [x, y]);
+    await touch('touchMove', [x + 4, y + 8]);
+    await touch('touchMove', [x + 8, y + 16]);
+    await touch('touchEnd');
+  });
+  if (await scrolled() !== before) complain(name, 'the page is scrolled by a finger that moves a handle');
+}
+
+async function followLink(page, figure, name) {
+  const scene = () => figure.evaluate(({figure: {state, answer}}) => JSON.stringify([state, answer]));
+  const link = await figure.evaluate((element) => element.figure.link.href), before = await scene();
+  await page.goto('about:blank');
+  await page.goto(link);
+  await figure.evaluate(begun);
+  if (await scene() !== before) complain(name, `its link leads to another scene: ${link}`);
+}
+
+// In the page: waits for the first answer.
+const begun = (element) => new Promise((resolve) => {
+  element.scrollIntoView();
+  const look = () => element.figure?.answer ? resolve() : setTimeout(look, 10);
+  look();
+});
+
+async function seeByAxe(page, name) {
+  await page.addScriptTag({path: axe});
+  const faults = await page.evaluate(async () => {
+    const {violations} = await globalThis.axe.run(document, {resultTypes: ['violations'], preload: false});
+    return violations.map(({id, nodes}) => `${id}: ${nodes[0].html.slice(0, 120)}`);
+  });
+  for (const fault of faults) complain(name, `axe: ${fault}`);
+}
+
+async function checkWidth(page, name) {
+  const {scrollWidth, clientWidth} = await page.evaluate(() => {
+    const {scrollWidth, clientWidth} = document.documentElement;
+    return {scrollWidth, clientWidth};
+  });
+  if (scrollWidth > clientWidth + 1) complain(name, `the page is ${scrollWidth - clientWidth} pixels too wide`);
+}
+
+// What is said aloud after a change is what stands below the picture.
+async function checkAloud(page, figure, name) {
+  await page.waitForTimeout(700);
+  const aloud = await page.locator('.aloud').textContent(), told = await figure.locator('.told').textContent();
+  if (aloud !== told) complain(name, `says "${aloud}", and shows "${told}"`);
+}
+
+async function checkPage(browser, file, names) {
+  let doing = '', numbers = 0;
+  const open = async (view, visit) => {
+    const page = await openTab(browser, {reducedMotion: 'reduce', ...view}, () => `${file} ${doing}`);
+    await page.goto(pathToFileURL(join(html, file)).href);
+    for (const name of names) {
+      doing = name;
+      const figure = page.locator(`#touch-${name}`);
+      if (visit) await figure.evaluate(begun), await visit(page, figure, name);
+      else if (await figure.isVisible()) complain(file, `${name} is shown without JavaScript`);
+    }
+    if (visit) await seeByAxe(page, file);
+    await page.close();
+  };
+  await open({colorScheme: 'light', viewport: {width: 1280, height: 900}}, async (page, figure, name) => {
+    numbers += await compareNumbers(figure, name);
+    await moveByHand(page, figure, name);
+    await checkAloud(page, figure, name);
+    await followLink(page, figure, name);
+  });
+  const phone = {colorScheme: 'dark', viewport: {width: 390, height: 800}, hasTouch: true, isMobile: true};
+  await open(phone, async (page, figure, name) => {
+    await moveByFinger(page, figure, name);
+    await checkWidth(page, name);
+    await page.emulateMedia({media: 'print'});
+    if (await figure.isVisible()) complain(name, 'is printed');
+    await page.emulateMedia({media: 'screen'});
+  });
+  await open({javaScriptEnabled: false});
+  return numbers;
+}
+
+export async function checkTouch() {
+  const pages = new Map();
+  for (const {page, name} of shownByBuild().touch) pages.set(page, [...pages.get(page) ?? [], name]);
+  if (!pages.size) return 'no figures to touch: clang and its C library for WebAssembly are not there';
+  const browser = await openBrowser();
+  if (!browser) return 'not run';
+  let numbers = 0, figures = 0;
+  for (const [page, names] of pages) {
+    figures += names.length;
+    numbers += await checkPage(browser, page.replaceAll('_', '-') + '.html', names);
+  }
+  await browser.close();
+  return `${figures} figures, ${numbers} numbers of each state (${states} states, seed ${seed}) equal to the program's`;
+}

@@ -1,0 +1,36 @@
+#include "page.hpp"
+
+#include <cstdlib>
+#include <exception>
+#include <typeinfo>
+
+#define OF_THE_PAGE(name) __attribute__((import_module("page"), import_name(name)))
+
+extern "C" {
+
+OF_THE_PAGE("number") void page_number(const char* name, double value);
+OF_THE_PAGE("numbers") void page_numbers(const char* name, const double* values, std::size_t count);
+OF_THE_PAGE("word") void page_word(const char* name, const char* word);
+OF_THE_PAGE("refused") void page_refused(const char* why);
+
+// WebAssembly of Debian's clang knows no exceptions: what would be thrown is told to the page, and the call
+// ends there.
+void* __cxa_allocate_exception(std::size_t size) noexcept { return std::malloc(size); }
+void __cxa_free_exception(void*) noexcept {}
+[[noreturn]] void __cxa_throw(void* thrown, std::type_info*, void (*)(void*)) {
+  page_refused(static_cast<std::exception*>(thrown)->what());
+  __builtin_trap();
+}
+
+}  // extern "C"
+
+namespace touch {
+
+void tell(const char* name, double value) { page_number(name, value); }
+void tell(const char* name, std::span<const double> values) {
+  page_numbers(name, values.data(), values.size());
+}
+void tell(const char* name, const first_contact::Vector& value) { page_numbers(name, value.data(), 3); }
+void tell(const char* name, const char* word) { page_word(name, word); }
+
+}  // namespace touch

@@ -1,0 +1,148 @@
+// A figure to touch: its state, what the book's C++ answers, and one function, `show`, that draws all of it anew.
+import {Slider, button, make, showAnswers} from './controls.js';
+import {Handle} from './handles.js';
+import {clamped, fragmentOf, shown, startOf, stateFrom} from './state.js';
+import {Pen, mark} from './svg.js';
+
+const calm = matchMedia('(prefers-reduced-motion: reduce)');
+
+// Does something once, a while after it was last asked for.
+function later(milliseconds, what) {
+  let timer;
+  return () => {
+    clearTimeout(timer);
+    timer = setTimeout(what, milliseconds);
+  };
+}
+
+// Beside each other, or, where the page is narrow, one below the other.
+function pensFor(views, width) {
+  const inOneRow = width >= 560 || views.length === 1, gap = 24, pens = [];
+  const each = inOneRow ? (width - gap * (views.length - 1)) / views.length : width;
+  let corner = [0, 0];
+  for (const view of views) {
+    const pen = new Pen(view, each, corner);
+    corner = inOneRow ? [corner[0] + each + gap, 0] : [0, corner[1] + pen.height + gap];
+    pens.push(pen);
+  }
+  return pens;
+}
+
+export class Figure {
+  /// \param element  the page's place for it
+  /// \param own  what this figure is: figures/*.js
+  /// \param words  its words, and those of all figures: words/*.js
+  /// \param announce  says something aloud, once
+  constructor(element, own, words, announce) {
+    Object.assign(this, {element, own, words, announce, id: element.id, state: startOf(own.parameters)});
+    this.tell = later(500, () => announce(this.told.textContent));
+    this.keep = later(300, () => history.replaceState(null, '', fragmentOf(this.id, this.state)));
+    this.build();
+    addEventListener('hashchange', () => this.follow());
+  }
+
+  build() {
+    const {own, words} = this, change = (name) => (wished) => this.change(name, wished);
+    const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false}]) => isPlace === wanted)
+        .map(([name, parameter]) => new Kind(name, parameter, words[name], change(name)));
+    this.handles = controls(Handle, true);
+    this.sliders = controls(Slider, false);
+    this.drawing = mark('g', {'aria-hidden': true});
+    this.picture = mark('svg', {role: 'group', 'aria-label': words.title, 'aria-describedby': `${this.id}-told`},
+                        this.drawing, ...this.handles.map(({element}) => element));
+    this.answers = make('dl', {className: 'answers'});
+    this.told = make('p', {className: 'told', id: `${this.id}-told`});
+    this.link = make('a', {textContent: words.link});
+    this.line = make('code');
+    const elements = (controls) => controls.map(({element}) => element);
+    this.element.replaceChildren(
+      make('div', {className: 'picture'}, this.picture), this.answers,
+      make('div', {className: 'sliders'}, ...elements(this.sliders)),
+      make('div', {className: 'buttons'}, ...this.buttons(), this.link), this.told,
+      make('details', {}, make('summary', {textContent: words.run}), make('pre', {className: 'shell', tabIndex: 0}, this.line)),
+      make('figcaption', {innerHTML: words.caption}));
+    this.element.hidden = false;
+  }
+
+  buttons() {
+    const reset = button(this.words.reset, () => { this.state = startOf(this.own.parameters); this.changed(); });
+    if (!this.own.play || calm.matches) return [reset];
+    this.player = button(this.words.play, () => this.play(!this.playing));
+    return [this.player, reset];
+  }
+
+  /// Begins to answer, once the book's C++ is there.
+  begin(ask) {
+    this.ask = ask;
+    this.follow();
+    new ResizeObserver(() => this.show()).observe(this.picture);
+    this.show();
+  }
+
+  // The state that the address asks for, if it asks this figure.
+  follow() {
+    const state = stateFrom(location.hash, this.id, this.own.parameters);
+    if (!state || !this.ask) return;
+    this.state = state;
+    this.show();
+    this.element.scrollIntoView({block: 'center'});
+  }
+
+  change(name, wished) {
+    const value = clamped(this.own.parameters[name], wished);
+    if (String(value) === String(this.state[name])) return;
+    this.state = {...this.state, [name]: value};
+    this.changed();
+  }
+
+  changed() {
+    this.keep();
+    this.tell();
+    this.soon ??= requestAnimationFrame(() => { this.soon = undefined; this.show(); });
+  }
+
+  /// Lets one number run from its least value to its most, in so many seconds.
+  play(on) {
+    const {of, seconds} = this.own.play, {least, most} = this.own.parameters[of];
+    this.playing = on;
+    this.player.textContent = on ? this.words.pause : this.words.play;
+    if (!on) return;
+    const first = this.state[of] < most ? this.state[of] : least, begun = performance.now();
+    const step = () => {
+      if (!this.playing) return;
+      const value = first + (performance.now() - begun) / 1000 / seconds * (most - least);
+      this.change(of, value);
+      if (value < most) requestAnimationFrame(step);
+      else this.play(false);
+    };
+    step();
+  }
+
+  /// The one function that asks and draws.
+  show() {
+    const width = this.picture.clientWidth, {own, state} = this;
+    if (!width || !this.ask) return;
+    this.answer = this.ask(own.program, ...own.numbers(state));
+    const pens = pensFor(own.views, width), last = pens.at(-1), height = Math.ceil(last.corner[1] + last.height);
+    this.picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    this.picture.style.height = `${height}px`;
+    for (const slider of this.sliders) slider.show(state[slider.name]);
+    for (const handle of this.handles)
+      handle.show(pens[0], state[handle.name], this.words.place(...state[handle.name].map(shown)));
+    this.link.href = fragmentOf(this.id, state);
+    this.line.textContent = this.command();
+    this.told.innerHTML = this.answer.refused ?? own.told(state, this.answer, this.words);
+    if (this.answer.refused) return;
+    this.drawing.replaceChildren(...own.draw(pens, state, this.answer, this.words));
+    showAnswers(this.answers, own.answers(state, this.answer, this.words));
+  }
+
+  /// The line that runs the same scene; where a value begins with a minus, it is joined by =.
+  command() {
+    const options = Object.entries(this.own.options(this.state)).map(([name, value]) => {
+      const text = String(value);
+      return `${name}${text.startsWith('-') ? '=' : ' '}${text}`;
+    });
+    return ['./course run', this.own.program.replaceAll('-', '_'), ...options].join(' ');
+  }
+}

@@ -1,0 +1,65 @@
+// What can be moved: by a pointer, a finger or the arrows. A handle is a slider to who cannot see it, and says its place.
+import {mark} from './svg.js';
+
+const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+
+/// The way that a key asks for, in steps of a parameter: [x, y], or nothing.
+export function wayOf(event, {step, fine}) {
+  const way = arrows[event.key];
+  return way && !event.altKey && !event.ctrlKey && !event.metaKey && way.map((each) => each * (event.shiftKey ? fine : step));
+}
+
+/// Where a pointer is on the picture, in its own pixels.
+function placeOf(event, picture) {
+  const box = picture.getBoundingClientRect();
+  return [event.clientX - box.left, event.clientY - box.top];
+}
+
+/// A handle for one place of the state.
+/// \param moved  called with the wished place, [x, y] in the world
+export class Handle {
+  constructor(name, parameter, label, moved) {
+    Object.assign(this, {name, parameter, label, moved});
+    const [[least], [most], [now]] = [parameter.least, parameter.most, parameter.start];
+    const range = {'aria-valuemin': least, 'aria-valuemax': most, 'aria-valuenow': now};
+    this.element = mark('g', {class: 'handle', tabindex: 0, role: 'slider', 'aria-label': label, ...range},
+                        mark('circle', {class: 'reach', r: 22}), mark('circle', {class: 'ring', r: 9}));
+    this.element.addEventListener('touchstart', (event) => event.preventDefault(), {passive: false});  // no scrolling
+    this.element.addEventListener('pointerdown', (event) => this.grab(event));
+    this.element.addEventListener('pointermove', (event) => this.drag(event));
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
+      this.element.addEventListener(end, () => { this.held = undefined; });
+    this.element.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  grab(event) {
+    if (event.button > 0) return;
+    event.preventDefault();
+    this.element.focus({preventScroll: true});
+    this.element.setPointerCapture(event.pointerId);
+    const at = placeOf(event, this.element.ownerSVGElement), own = this.pen.at(this.place);
+    this.held = [own[0] - at[0], own[1] - at[1]];  // a handle that is caught at its rim does not jump
+  }
+
+  drag(event) {
+    if (!this.held) return;
+    const at = placeOf(event, this.element.ownerSVGElement);
+    this.moved(this.pen.world([at[0] + this.held[0], at[1] + this.held[1]]));
+  }
+
+  key(event) {
+    const way = wayOf(event, this.parameter);
+    if (!way) return;
+    event.preventDefault();
+    this.moved([this.place[0] + way[0], this.place[1] + way[1]]);
+  }
+
+  /// Puts the handle where the state has it.
+  show(pen, place, words) {
+    Object.assign(this, {pen, place});
+    const [x, y] = pen.at(place);
+    this.element.setAttribute('transform', `translate(${x},${y})`);
+    this.element.setAttribute('aria-valuenow', place[0]);
+    this.element.setAttribute('aria-valuetext', words);
+  }
+}

@@ -1,0 +1,68 @@
+// The book's own C++ as WebAssembly: what is asked by name is answered by an object of numbers, {contact: {time: 0.875}}.
+// The module stands in a script of its own, packed, as letters, so that it can be read from a disk too; it is loaded when
+// a figure first comes near.
+
+const memory = {instance: undefined, answer: {}, words: new Map()};
+
+const bytes = (letters) => Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
+
+// A word of C++ by its address; those of names never change.
+function wordAt(address, kept = true) {
+  if (kept && memory.words.has(address)) return memory.words.get(address);
+  const all = new Uint8Array(memory.instance.exports.memory.buffer);
+  const word = new TextDecoder().decode(all.subarray(address, all.indexOf(0, address)));
+  if (kept) memory.words.set(address, word);
+  return word;
+}
+
+// "contact/time" is put where a JSON pointer of that name leads.
+function put(name, value) {
+  const path = wordAt(name).split('/'), last = path.pop();
+  let place = memory.answer;
+  for (const part of path) place = place[part] ??= {};
+  place[last] = value;
+}
+
+// What api/page.cpp calls; the rest is what the C library asks an operating system for, and there is none.
+const page = {
+  number: put,
+  numbers: (name, first, count) => put(name, [...new Float64Array(memory.instance.exports.memory.buffer, first, count)]),
+  word: (name, word) => put(name, wordAt(word, false)),
+  refused: (why) => { throw new Error(wordAt(why, false)); },
+};
+const noSystem = new Proxy({}, {get: () => () => 52});
+
+function begin(module) {
+  memory.instance = new WebAssembly.Instance(module, {page, wasi_snapshot_preview1: noSystem});
+  memory.instance.exports._initialize();
+}
+
+const script = (file) => new Promise((resolve, reject) => {
+  const element = document.createElement('script');
+  Object.assign(element, {src: file, onload: resolve, onerror: () => reject(new Error(`${file} is not there`))});
+  document.head.append(element);
+});
+
+async function load() {
+  await script('touch-module.js');
+  const packed = new Blob([bytes(globalThis.firstContactModule)]).stream();
+  const whole = await new Response(packed.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  const module = await WebAssembly.compile(whole);
+  begin(module);
+  return (name, ...numbers) => ask(module, name, numbers);
+}
+
+function ask(module, name, numbers) {
+  memory.answer = {};
+  try {
+    memory.instance.exports[name](...numbers);
+  } catch (refusal) {
+    begin(module);  // what was refused has left its stack as it stood
+    return {refused: refusal.message};
+  }
+  return memory.answer;
+}
+
+let loaded;
+/// The one function that asks, `ask('plane', ...numbers)`, loaded once for all figures of the page.
+export const book = () => loaded ??= load();

@@ -1,0 +1,46 @@
+// What a reader may change: parameters with a start, a range and two steps; and the state as a part of the address.
+
+const decimals = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+
+/// A number: {start, least, most, step, fine}. The arrows go by `step`, with Shift by `fine`, and so does a drag.
+export const number = (start, {least, most, step, fine = step}) => ({start, least, most, step, fine});
+/// A place in the plane: {start: [x, y], least: [x, y], most: [x, y], step, fine}.
+export const place = (start, {least, most, step = 0.1, fine = 0.01}) => ({start, least, most, step, fine, isPlace: true});
+
+const within = (value, least, most, step) =>
+  Number((Math.round(Math.min(most, Math.max(least, value)) / step) * step).toFixed(decimals(step)));
+
+/// The value nearest to the wished one that the parameter may have.
+export function clamped({least, most, fine, isPlace}, wished) {
+  return isPlace ? wished.map((each, i) => within(each, least[i], most[i], fine)) : within(wished, least, most, fine);
+}
+
+/// The state at the beginning.
+export const startOf = (parameters) =>
+  Object.fromEntries(Object.entries(parameters).map(([name, {start}]) => [name, start]));
+
+/// "#touch-plane:from=-0.9,2.1;radius=0.7"
+export const fragmentOf = (id, state) =>
+  `#${id}:` + Object.entries(state).map(([name, value]) => `${name}=${value}`).join(';');
+
+/// The state that an address asks for; what it does not say, or says wrongly, is as at the start.
+export function stateFrom(fragment, id, parameters) {
+  const state = startOf(parameters), [own, said = ''] = decodeURIComponent(fragment).split(':');
+  if (own !== `#${id}`) return undefined;
+  for (const part of said.split(';')) {
+    const [name, text = ''] = part.split('='), numbers = text.split(',').map(Number), parameter = parameters[name];
+    if (!parameter || !text || !numbers.every(Number.isFinite)) continue;
+    if (numbers.length === (parameter.isPlace ? 2 : 1))
+      state[name] = clamped(parameter, parameter.isPlace ? numbers : numbers[0]);
+  }
+  return state;
+}
+
+/// A number for a reader: four significant digits, a true minus.
+export function shown(value) {
+  if (value === undefined) return '–';
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : value < 0 ? '−∞' : '–';
+  const text = String(Number(value.toPrecision(4)));
+  const [, mantissa, power] = /^(.*?)(?:e([+-]\d+))?$/.exec(text);
+  return (mantissa + (power ? ` × 10^${+power}` : '')).replaceAll('-', '−');
+}

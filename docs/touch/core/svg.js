@@ -1,0 +1,72 @@
+// Drawing: a pen that knows how the world lies on the paper. What a mark means is its class, and that gives its colour
+// (touch.css): mover, obstacle, motion, normal, offset, right, printed.
+
+const names = 'http://www.w3.org/2000/svg';
+
+/// An SVG element with its attributes and children.
+export function mark(name, attributes = {}, ...children) {
+  const element = document.createElementNS(names, name);
+  for (const [key, value] of Object.entries(attributes)) if (value !== undefined) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+// "S_0" as S with a small 0 below; letters are italic, as in the text, and "*V*" is bold.
+function letters(text) {
+  const bold = /^\*(.*)\*$/.exec(text), [main, below] = (bold ? bold[1] : text).split('_');
+  const parts = [mark('tspan', {class: bold ? 'vector' : 'letter'}, main)];
+  if (below) parts.push(mark('tspan', {class: 'below', dy: '.28em'}, below));
+  return parts;
+}
+
+/// A pen for a view {left, right, bottom, top} that is drawn `width` pixels wide, its upper left corner at `corner`.
+export class Pen {
+  constructor(view, width, corner = [0, 0]) {
+    Object.assign(this, {view, width, corner, scale: width / (view.right - view.left)});
+    this.height = (view.top - view.bottom) * this.scale;
+  }
+
+  at([x, y]) {
+    return [this.corner[0] + (x - this.view.left) * this.scale, this.corner[1] + (this.view.top - y) * this.scale];
+  }
+
+  /// From the paper back to the world.
+  world([x, y]) {
+    return [this.view.left + (x - this.corner[0]) / this.scale, this.view.top - (y - this.corner[1]) / this.scale];
+  }
+
+  ball(center, radius, kind) {
+    const [cx, cy] = this.at(center);
+    return mark('circle', {cx, cy, r: Math.abs(radius) * this.scale, class: kind});
+  }
+
+  dot(place, kind = 'dot', r = 3.2) {
+    const [cx, cy] = this.at(place);
+    return mark('circle', {cx, cy, r, class: kind});
+  }
+
+  path(places, kind, closed = false) {
+    const corners = places.map((place) => this.at(place).map((each) => each.toFixed(2)).join(','));
+    return mark('path', {d: 'M' + corners.join('L') + (closed ? 'z' : ''), class: kind});
+  }
+
+  line(from, to, kind) {
+    return this.path([from, to], kind);
+  }
+
+  arrow(from, to, kind) {
+    const [a, b] = [this.at(from), this.at(to)], length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (length < 1) return mark('g');
+    const [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], head = Math.min(13, length);
+    const side = (across) => [b[0] - head * ux - across * uy, b[1] - head * uy + across * ux].join(',');
+    return mark('g', {class: `arrow ${kind}`},
+                mark('path', {d: `M${a}L${b[0] - 0.8 * head * ux},${b[1] - 0.8 * head * uy}`}),
+                mark('path', {class: 'head', d: `M${b}L${side(4.2)}L${side(-4.2)}z`}));
+  }
+
+  /// Letters beside a place, moved by pixels on the paper.
+  label(text, place, [dx, dy] = [0, 0], kind = '', anchor = 'start') {
+    const [x, y] = this.at(place);
+    return mark('text', {x: x + dx, y: y + dy, class: kind, 'text-anchor': anchor}, ...letters(text));
+  }
+}

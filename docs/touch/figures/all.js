@@ -1,0 +1,2 @@
+// Every figure to touch, by the name that an essay calls it by.
+export {plane} from './plane.js';
