@@ -89,7 +89,7 @@ function leadToAnswers(tree, given, pages) {
 export function bodyOf({id, page, number}, pages) {
   const tree = treeOf(read(html, page));
   nameWholeFiles(tree);
-  tree('nav.turn').remove();
+  tree('nav.turn, .touch').remove();
   tree('details').attr('open', '');
   sayFormulas(tree);
   const given = treeOf(`<div id="given">${takeAnswers(tree, id)}</div>`);
