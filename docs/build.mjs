@@ -4,7 +4,7 @@ import {join} from 'node:path';
 import {binaries, build, chapters, data, html, otherPages, stopIfWrong} from './tools/book.mjs';
 import {runDoxygen} from './tools/doxygen.mjs';
 import {finish} from './tools/finish.mjs';
-import {chapterFoot, chapterHead, chapterList, chapterMap, exerciseList} from './tools/generated.mjs';
+import {appendixFoot, appendixHead, chapterFoot, chapterHead, chapterList, chapterMap, exerciseList} from './tools/generated.mjs';
 import {libraryTable} from './tools/library.mjs';
 import {museumText} from './tools/museum.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
@@ -34,7 +34,8 @@ const generated = {map: chapterMap(), chapters: chapterList(), exercises: exerci
                    library: libraryTable((words) => prose(words, 'library.md'))};
 for (const page of otherPages) {
   const text = page.isMuseum ? museumText() : undefined;
-  writeFileSync(join(pages, page.id + '.md'), weave({...page, generated, text}));
+  const frame = page.letter ? {head: appendixHead(page), foot: appendixFoot(page)} : {};
+  writeFileSync(join(pages, page.id + '.md'), weave({...page, ...frame, generated, text}));
 }
 stopIfWrong('weaving the pages');
 

@@ -86,7 +86,7 @@ function leadToAnswers(tree, given, pages) {
 }
 
 /// {title, text, glyphs, answers, sections} of a part. \param pages  on which page each place was in the last print
-export function bodyOf({id, page, number}, pages) {
+export function bodyOf({id, page, number, letter}, pages) {
   const tree = treeOf(read(html, page));
   nameWholeFiles(tree);
   tree('nav.turn, .touch').remove();
@@ -96,7 +96,7 @@ export function bodyOf({id, page, number}, pages) {
   for (const each of [tree, given]) renameAnchors(each, id);
   joinSentences(tree, id);
   leadToAnswers(tree, given, pages);
-  if (number) markTerms(tree, id);
+  if (number || letter) markTerms(tree, id);
   tellPages(tree, id, pages);
   tellPages(given, answers.id, pages);
   const sections = tree('.textblock h2[id]').toArray().map((h2) => ({id: h2.attribs.id, title: tree(h2).html()}));

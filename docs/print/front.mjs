@@ -32,7 +32,7 @@ const number = (pages, place) => `<span class="page">${pages.get(place) ?? ''}</
 
 function sectionsOf(part, sections, pages) {
   const below = parts.filter(({under}) => under === part.id);
-  const lines = part.number ? sections : below.map(({id, short, title}) => ({id, title: escape(short ?? title)}));
+  const lines = part.number || part.letter ? sections : below.map(({id, short, title}) => ({id, title: escape(short ?? title)}));
   if (!lines.length) return '';
   return `<ol class="sections">${lines.map(({id, title}) =>
     `<li><a href="#${id}"><span class="name">${title}</span>${number(pages, id)}</a></li>`).join('')}</ol>`;
@@ -41,5 +41,5 @@ function sectionsOf(part, sections, pages) {
 /// In two levels. \param bodies  the bodies of the parts by id
 export const contents = (bodies, pages) => `<section class="toc"><h1>Contents</h1><ul>` +
   parts.filter(({under}) => !under).map((part) =>
-    `<li><a href="#${part.id}"><span class="number">${part.number ?? ''}</span><span class="name">${escape(part.title)}</span>` +
+    `<li><a href="#${part.id}"><span class="number">${part.number ?? part.letter ?? ''}</span><span class="name">${escape(part.letter ? part.short : part.title)}</span>` +
     `${number(pages, part.id)}</a>${sectionsOf(part, bodies.get(part.id)?.sections ?? [], pages)}</li>`).join('') + '</ul></section>';

@@ -1,16 +1,18 @@
 // What stands in the printed book, in its order, and how a link within it is written.
-import {chapters, otherPages} from '../tools/book.mjs';
+import {appendices, chapters, otherPages} from '../tools/book.mjs';
 
 const page = (id) => otherPages.find((each) => each.id === id);
 const library = otherPages.filter(({isLibrary, folders}) => isLibrary && folders);
 const exercises = otherPages.filter(({isExercise}) => isExercise);
-const back = otherPages.filter(({front, isLibrary, isWorkbook}) => !front && !isLibrary && !isWorkbook);
+const back = otherPages.filter(({front, letter, isLibrary, isWorkbook}) =>
+  !front && !letter && !isLibrary && !isWorkbook);
 
 /// The answers and the index are made here; `under` is the part that a part goes on in, without a new page.
 export const answers = {id: 'answers', title: 'Answers'}, index = {id: 'terms', title: 'Index'};
 export const parts = [
   {...page('reading'), onRight: true},
   ...chapters.map((chapter) => ({...chapter, onRight: true})),
+  ...appendices.map((part) => ({...part, onRight: true})),
   {...page('library'), onRight: true}, ...library.map((part) => ({...part, under: 'library'})),
   {...page('workbook'), onRight: true}, ...exercises.map((part) => ({...part, under: 'workbook'})),
   ...back.slice(0, 1), {...answers, onRight: true}, ...back.slice(1), index,

@@ -43,6 +43,8 @@ export const libraryRoot = join(root, 'common/first_contact');
 export const otherPages = [
   {id: 'index', title: 'First Contact', front: true},
   {id: 'reading', title: 'How to read this', front: true},
+  {id: 'fast-tree', letter: 'A', title: 'Appendix A · How the fast tree works', short: 'How the fast tree works', needs: [3, 4]},
+  {id: 'crowds', letter: 'B', title: 'Appendix B · A hundred thousand balls', short: 'A hundred thousand balls', needs: [3, 6]},
   {id: 'library', title: 'The library, file by file', isLibrary: true},
   {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', isLibrary: true, folders: ['geometry']},
   {id: 'library-mesh-io', title: 'Meshes in files, file by file', short: 'mesh_io', isLibrary: true,
@@ -66,6 +68,9 @@ export const otherPages = [
   {id: 'symbols', title: 'Symbols'},
   {id: 'bibliography', title: 'Bibliography'},
 ].map((page) => ({source: join(docs, 'pages', page.id + '.md'), page: page.id + '.html', ...page}));
+
+/// What may be left out: pages like chapters, without exercises.
+export const appendices = otherPages.filter(({letter}) => letter);
 
 export const escape = (text) =>
   text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

@@ -1,27 +1,39 @@
 // What is made from data: the head and foot of a chapter, the contents, the map of chapters.
-import {chapters, escape, otherPages} from './book.mjs';
+import {appendices, chapters, escape, otherPages} from './book.mjs';
 import {minutesOf} from './minutes.mjs';
 
 const numbered = (number) => chapters.find((chapter) => chapter.number === number);
 const linkTo = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`;
 
+const needsOf = ({needs}) => needs.length ? needs.map((n) => linkTo(numbered(n))).join(', ') : 'nothing';
+const table = (facts) => `<dl>${facts.map(([name, fact]) => `<div><dt>${name}</dt><dd>${fact}</dd></div>`).join('')}</dl>`;
+
 /// The same head for each chapter: minutes, what it builds on, the paper's section, how to run it.
 export function chapterHead(chapter) {
-  const needs = chapter.needs.length ? chapter.needs.map((n) => linkTo(numbered(n))).join(', ') : 'nothing';
   const paper = chapter.paper.map((section) => `<a href="papermap.html#s${section}">§${section}</a>`).join(', ');
-  const facts = [['Reading time', `${minutesOf(chapter)} minutes`], ['Builds on', needs], ['In the paper', paper],
+  const facts = [['Reading time', `${minutesOf(chapter)} minutes`], ['Builds on', needsOf(chapter)], ['In the paper', paper],
                  ['Program', `<code>./course run ${chapter.program}</code>`]];
-  return `<div class="chapter-head"><p class="chinese" lang="zh-Hant">${chapter.chinese}</p>` +
-         `<dl>${facts.map(([name, fact]) => `<div><dt>${name}</dt><dd>${fact}</dd></div>`).join('')}</dl></div>`;
+  return `<div class="chapter-head"><p class="chinese" lang="zh-Hant">${chapter.chinese}</p>${table(facts)}</div>`;
 }
 
-/// Previous and next.
-export function chapterFoot(chapter) {
-  const previous = numbered(chapter.number - 1) ?? {page: 'reading.html', title: 'How to read this'};
-  const next = numbered(chapter.number + 1) ?? {page: 'errata.html', title: 'Errata of the paper'};
+/// The head of an appendix.
+export const appendixHead = (page) =>
+  `<div class="chapter-head">${table([['Reading time', `${minutesOf(page)} minutes`], ['Builds on', needsOf(page)]])}</div>`;
+
+// Previous and next.
+function turn(previous, next) {
   const label = (page) => (page.number ? `${page.number} · ` : '') + escape(page.title);
   return `<nav class="turn" aria-label="Previous and next page"><a rel="prev" href="${previous.page}"><small>Previous</small>${label(previous)}</a>` +
          `<a rel="next" href="${next.page}"><small>Next</small>${label(next)}</a></nav>`;
+}
+
+const errata = otherPages.find(({id}) => id === 'errata'), reading = otherPages.find(({id}) => id === 'reading');
+
+export const chapterFoot = ({number}) => turn(numbered(number - 1) ?? reading, numbered(number + 1) ?? appendices[0]);
+
+export function appendixFoot(page) {
+  const at = appendices.indexOf(appendices.find(({id}) => id === page.id));
+  return turn(appendices[at - 1] ?? chapters.at(-1), appendices[at + 1] ?? errata);
 }
 
 /// The contents beside every page; the sections of the page that is open stand under its name.
@@ -41,13 +53,16 @@ export function contents(current, sections) {
   };
   const list = (pages, label) => `<ul>${pages.map((page) => entry(page, label(page))).join('')}</ul>`;
   const title = (page) => escape(page.title);
+  const isReference = ({front, letter, isLibrary, isWorkbook}) => !front && !letter && !isLibrary && !isWorkbook;
+  const lettered = ({letter, short}) => `<span class="number">${letter}</span> ${escape(short)}`;
   return list(otherPages.filter((page) => page.front), title) +
          '<h2>Chapters</h2>' + list(chapters, (chapter) => `<span class="number">${chapter.number}</span> ${title(chapter)}`) +
+         '<h2>Appendices</h2>' + list(appendices, lettered) +
          '<h2>Your turn</h2>' + list([otherPages.find(({id}) => id === 'workbook')], title) +
          '<h2>The library</h2>' + list([otherPages.find(({id}) => id === 'library'),
                                        {page: 'namespacefirst__contact.html', title: 'All names'}],
                                       (page) => page.id ? 'File by file' : title(page)) +
-         '<h2>Reference</h2>' + list(otherPages.filter((page) => !page.front && !page.isLibrary && !page.isWorkbook), title);
+         '<h2>Reference</h2>' + list(otherPages.filter(isReference), title);
 }
 
 // --- the map of chapters ------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // that it includes, with the chapters that tell of it.
 import {existsSync, readdirSync, statSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
-import {chapters, complain, escape, filesBelow, fromRoot, libraryRoot, otherPages, read, root} from './book.mjs';
+import {appendices, chapters, complain, escape, filesBelow, fromRoot, libraryRoot, otherPages, read, root} from './book.mjs';
 
 const isCode = (name) => /\.(cpp|hpp|inc)$/.test(name);
 const order = ['.hpp', '.inc', '.cpp'];
@@ -57,7 +57,7 @@ function reachedFrom(files) {
 for (const chapter of chapters)
   reach.set(chapter, reachedFrom(filesBelow(join(root, 'chapters', chapter.folder), (file) => /\.(cpp|hpp)$/.test(file))));
 
-const link = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`;
+const link = (page) => `<a href="${page.page}">${page.number ? `${page.number} · ` : ''}${escape(page.title)}</a>`;
 const links = (list) => list.length === chapters.length ? 'all chapters' : list.length > 1 && list.length === chapters.length - 1
   ? `all chapters but ${link(chapters.find((chapter) => !list.includes(chapter)))}`
   : `chapter${list.length > 1 ? 's' : ''} ${list.map(link).join(', ')}`;
@@ -65,10 +65,12 @@ const links = (list) => list.length === chapters.length ? 'all chapters' : list.
 /// "told in chapter 1 · The plane; used in chapters 2 · The box, 3 · Partitioning": found in the pages and in the sources.
 export function whereTold(files, snippets) {
   const names = files.map((file) => `common/first_contact/${file}`);
-  const told = chapters.filter((chapter) => snippets.some(({file, page}) => page === chapter.id && names.includes(file)));
+  const tells = ({id}) => snippets.some(({file, page}) => page === id && names.includes(file));
+  const told = chapters.filter(tells), appended = appendices.filter(tells);
   const used = chapters.filter((chapter) => !told.includes(chapter) && files.some((file) => reach.get(chapter).has(file)));
   const rest = told.length && told.length + used.length === chapters.length ? 'all others' : links(used);
-  const parts = [told.length && `told in ${links(told)}`, used.length && `used in ${rest}`].filter(Boolean);
+  const parts = [told.length && `told in ${links(told)}`, appended.length && `told in ${appended.map(link).join(', ')}`,
+                 used.length && `used in ${rest}`].filter(Boolean);
   return parts.length ? `<p class="told">${parts.join('; ')}</p>` : '';
 }
 

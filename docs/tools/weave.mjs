@@ -27,8 +27,8 @@ const shownPath = (path) => escape(path).replaceAll('/', '/<wbr>');
 export const references = data('references.json').flatMap((group) => group.entries);
 
 class Page {
-  constructor(id, source, chapter, text = read(source)) {
-    Object.assign(this, {id, source, chapter, text, figures: [], filesShown: []});
+  constructor(id, source, prefix, text = read(source)) {
+    Object.assign(this, {id, source, prefix, text, figures: [], filesShown: []});
     this.name = fromRoot(source);
   }
 
@@ -81,7 +81,7 @@ class Page {
   figureNumber(name, line) {
     const at = this.figures.indexOf(name);
     if (at < 0) complain(this.where(line), `there is no figure ${name} on this page`);
-    return (this.chapter ? this.chapter.number + '.' : '') + (at + 1);
+    return (this.prefix ? this.prefix + '.' : '') + (at + 1);
   }
 
   cited(key, line) {
@@ -254,8 +254,8 @@ function answersLast(text, id) {
 }
 
 /// One page for Doxygen. \param head  its title, and the HTML that follows it; \param foot  the HTML at its end
-export function weave({id, source, chapter, title, folders, text, head = '', foot = '', generated = {}}) {
-  const page = new Page(id, source, chapter, text);
+export function weave({id, source, chapter, letter, title, folders, text, head = '', foot = '', generated = {}}) {
+  const page = new Page(id, source, chapter?.number ?? letter, text);
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
   if (first?.[1] !== title) complain(`${page.name}:1`, `the first line must be "# ${title}"`);
