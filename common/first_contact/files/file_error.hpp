@@ -1,12 +1,15 @@
 #pragma once
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace first_contact {
 
 /// A file that cannot be read or written. The message names the file and the reason.
 class FileError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  FileError(const std::filesystem::path& file, const std::string& rule)
+      : std::runtime_error(file.string() + ": " + rule) {}
 };
 
 }  // namespace first_contact

@@ -11,10 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& rule) {
-  throw FileError(file.string() + ": " + rule);
-}
-
 std::string reason() { return errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")"; }
 
 std::string all_of(std::istream& in, const fs::path& file) {
@@ -25,9 +21,9 @@ std::string all_of(std::istream& in, const fs::path& file) {
   while (in.read(part.data(), part.size()), in.gcount() > 0) {
     bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
     if (!ends && bytes.size() > most_of_a_stream)
-      refuse(file, "must end within " + std::to_string(most_of_a_stream) + " bytes");
+      throw FileError(file, "must end within " + std::to_string(most_of_a_stream) + " bytes");
   }
-  if (in.bad()) refuse(file, "cannot be read to its end" + reason());
+  if (in.bad()) throw FileError(file, "cannot be read to its end" + reason());
   return bytes;
 }
 
@@ -35,14 +31,14 @@ std::string all_of(std::istream& in, const fs::path& file) {
 
 std::string read_file(const fs::path& file) {
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) refuse(file, "must be a file, not a folder");
+  if (fs::is_directory(file, ignored)) throw FileError(file, "must be a file, not a folder");
   errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in) refuse(file, "must be a file that exists and can be read" + reason());
+  if (!in) throw FileError(file, "must be a file that exists and can be read" + reason());
   try {
     return all_of(in, file);
   } catch (const std::bad_alloc&) {
-    refuse(file, "needs more memory than there is");
+    throw FileError(file, "needs more memory than there is");
   }
 }
 

@@ -14,12 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& rule) {
-  throw FileError(file.string() + ": " + rule);
-}
-
-[[noreturn]] void refuse(const fs::path& file, const std::error_code& error) {
-  refuse(file, "cannot be written" + (error ? " (" + error.message() + ")" : std::string()));
+[[noreturn]] void refuse_writing(const fs::path& file, const std::error_code& error) {
+  throw FileError(file, "cannot be written" + (error ? " (" + error.message() + ")" : std::string()));
 }
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
@@ -36,9 +32,9 @@ fs::path followed(const fs::path& file) {
   fs::path end = fs::absolute(file);
   std::error_code error;
   for (int links = 0; !names_an_open_file(end) && fs::is_symlink(fs::symlink_status(end, error)); ++links) {
-    if (links == 40) refuse(file, std::make_error_code(std::errc::too_many_symbolic_link_levels));
+    if (links == 40) refuse_writing(file, std::make_error_code(std::errc::too_many_symbolic_link_levels));
     end = end.parent_path() / fs::read_symlink(end, error);
-    if (error) refuse(file, error);
+    if (error) refuse_writing(file, error);
   }
   return end;
 }
@@ -46,7 +42,7 @@ fs::path followed(const fs::path& file) {
 void write_stream(std::FILE* stream, const fs::path& file, std::string_view content) {
   errno = 0;
   if (std::fwrite(content.data(), 1, content.size(), stream) != content.size() || std::fflush(stream) != 0)
-    refuse(file, last_error());
+    refuse_writing(file, last_error());
 }
 
 void write_to(const fs::path& place, std::ios::openmode mode, const fs::path& file,
@@ -55,7 +51,7 @@ void write_to(const fs::path& place, std::ios::openmode mode, const fs::path& fi
   std::ofstream out(place, std::ios::binary | mode);
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
-  if (!out) refuse(file, last_error());
+  if (!out) refuse_writing(file, last_error());
 }
 
 // A file beside its target, gone at the end unless it has taken the target's place.
@@ -91,7 +87,7 @@ class Aside {
 // That a plain file may be replaced does not mean that it may be written.
 void require_writable(const fs::path& target, const fs::path& file) {
   errno = 0;
-  if (!std::ofstream(target, std::ios::binary | std::ios::app)) refuse(file, last_error());
+  if (!std::ofstream(target, std::ios::binary | std::ios::app)) refuse_writing(file, last_error());
 }
 
 void replace(const fs::path& target, const fs::path& file, std::string_view content, bool exists) {
@@ -101,20 +97,20 @@ void replace(const fs::path& target, const fs::path& file, std::string_view cont
   std::error_code error;
   if (exists) fs::permissions(aside.path(), fs::status(target, error).permissions(), error);
   if (!error) error = aside.take_place_of(target);
-  if (error) refuse(file, error);
+  if (error) refuse_writing(file, error);
 }
 
 }  // namespace
 
 void write_file(const fs::path& file, std::string_view content) {
-  if (file.empty()) refuse(file, "must be a file with a name");
+  if (file.empty()) throw FileError(file, "must be a file with a name");
   const fs::path target = followed(file);
   if (target == "/dev/stdout") return write_stream(stdout, file, content);
   if (target == "/dev/stderr") return write_stream(stderr, file, content);
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
-  if (status.type() == fs::file_type::none) refuse(file, error);
-  if (fs::is_directory(status)) refuse(file, "must be a file, not a folder");
+  if (status.type() == fs::file_type::none) refuse_writing(file, error);
+  if (fs::is_directory(status)) throw FileError(file, "must be a file, not a folder");
   const bool replaceable = !fs::exists(status) || fs::is_regular_file(status);
   if (names_an_open_file(target) || !replaceable) return write_to(target, std::ios::app, file, content);
   replace(target, file, content, fs::exists(status));
@@ -124,8 +120,7 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
-    throw FileError(folder.string() + ": cannot be made (" + (error ? error.message() : "it is a file") +
-                    ")");
+    throw FileError(folder, "cannot be made (" + (error ? error.message() : "it is a file") + ")");
 }
 
 }  // namespace first_contact

@@ -26,7 +26,7 @@ Exact halves(double a) {
 }
 
 // Dekker, Numerische Mathematik 18, 1971.
-Exact product(double a, double b) {
+Exact exact_product(double a, double b) {
   const double p = a * b;
   const auto [a1, a2] = halves(a);
   const auto [b1, b2] = halves(b);
@@ -45,7 +45,7 @@ double sum_rounded_to_odd(double a, double b) {
 }  // namespace
 
 double fused_in_software(double a, double b, double c) {
-  const auto [p, p_rest] = product(a, b);
+  const auto [p, p_rest] = exact_product(a, b);
   const auto [low, low_rest] = sum(c, p_rest);
   const auto [high, high_rest] = sum(p, low);
   return high + sum_rounded_to_odd(low_rest, high_rest);

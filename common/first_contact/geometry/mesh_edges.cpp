@@ -62,7 +62,7 @@ EdgeKind kind_of(const Mesh& mesh, const std::vector<Index>& representative,
 /// Beyond so many edges at a vertex the search below, cubic in their number, is not worth its time.
 constexpr std::size_t most_edges_searched = 32;
 /// Two unit edges whose cross product is shorter than this are parallel but for rounding, ...
-constexpr double parallel = 8 * std::numeric_limits<double>::epsilon();
+constexpr double parallel_edges = 8 * std::numeric_limits<double>::epsilon();
 /// ... and up to this length its direction is not sure to half the digits: the search gives no answer.
 constexpr double nearly_parallel = 1e-7;
 
@@ -77,19 +77,19 @@ bool no_way_out(const std::vector<Vector>& edges) {
   Vector inner = Vector::Zero();
   const auto offer = [&](const Vector& w) {
     for (const Vector& ray : {Vector(normalized(w)), Vector(-normalized(w))})
-      if (leads_away(ray, parallel / norm(w))) inner += ray;
+      if (leads_away(ray, parallel_edges / norm(w))) inner += ray;
   };
   for (auto e = edges.begin(); e != edges.end(); ++e)
     for (auto f = edges.begin(); f != e; ++f) {
       const Vector across = e->cross(*f);
       const double sine = norm(across);
-      if (sine <= parallel && e->dot(*f) < 0) return true;  // a straight edge goes through the vertex
-      if (sine <= nearly_parallel) return false;            // in doubt
+      if (sine <= parallel_edges && e->dot(*f) < 0) return true;  // a straight edge goes through the vertex
+      if (sine <= nearly_parallel) return false;                  // in doubt
       offer(across);
       offer(across.cross(*e));
       offer(across.cross(*f));
     }
-  return edges.size() > 1 && !leads_away(inner, -parallel);
+  return edges.size() > 1 && !leads_away(inner, -parallel_edges);
 }
 //! [buried]
 

@@ -25,6 +25,12 @@ Vector normalized(const Vector& v) {
   return moderate / std::sqrt(squared_norm(moderate));
 }
 
+Point mean(std::span<const Point> points) {
+  Point sum = Point::Zero();
+  for (const Point& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 double lerp(double a, double b, double t) {
   if ((a <= 0 && b >= 0) || (a >= 0 && b <= 0)) return t * b + (1 - t) * a;  // no difference that overflows
   if (t == 1) return b;

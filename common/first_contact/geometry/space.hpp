@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cfloat>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -54,6 +55,9 @@ inline Homogeneous as_direction(const Vector& v) { return {v.x(), v.y(), v.z(), 
 double norm(const Vector& v);
 /// v / |v|; zero if v is.
 Vector normalized(const Vector& v);
+
+/// The mean of the points, added one after the other, of which there must be at least one.
+Point mean(std::span<const Point> points);
 
 /// The number at the part t of the way from a to b: exactly a at 0 and b at 1, and never back on the way.
 /// (std::lerp says as much, but not which number.)

@@ -4,7 +4,7 @@
 namespace first_contact {
 namespace {
 
-struct Header {
+struct OffHeader {
   std::size_t least,
       most;  // numbers of a vertex: its position, and what the name of the format promises besides
   std::int64_t vertices;
@@ -12,7 +12,7 @@ struct Header {
 };
 
 // "OFF", or with ST for texture coordinates, C for a colour, N for a normal before it.
-void read_name(const TextLines& lines, Header& header) {
+void read_name(const TextLines& lines, OffHeader& header) {
   struct Prefix {
     std::string_view letters;
     std::size_t least, most;
@@ -29,9 +29,9 @@ void read_name(const TextLines& lines, Header& header) {
     lines.refuse("must begin with OFF (or COFF, NOFF, STOFF and their like, in three dimensions)");
 }
 
-Header read_header(TextLines& lines) {
+OffHeader read_off_header(TextLines& lines) {
   lines.require_next("the header OFF is missing");
-  Header header{};
+  OffHeader header{};
   read_name(lines, header);
   std::size_t first = 1;  // the counts may stand behind the name, or on a line of their own
   if (lines.words().size() == 1) {
@@ -46,7 +46,7 @@ Header read_header(TextLines& lines) {
   return header;
 }
 
-Point read_vertex(const TextLines& lines, const Header& header) {
+Point read_vertex(const TextLines& lines, const OffHeader& header) {
   const std::size_t numbers = lines.words().size();
   const Point position = lines.point(0);
   if (numbers < header.least || numbers > header.most)
@@ -82,7 +82,7 @@ std::vector<std::uint32_t> read_polygon(const TextLines& lines, std::size_t vert
 RawMesh read_off(const MeshBytes& file) {
   file.refuse_wrappings();
   TextLines lines(file, {.comment = '#'});
-  const Header header = read_header(lines);
+  const OffHeader header = read_off_header(lines);
   RawMesh mesh;
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     lines.require_next(progress(i, header.vertices, "vertices"));

@@ -38,7 +38,7 @@ std::vector<Vector> velocities(std::span<const Point> points, const std::vector<
   return all;
 }
 
-void require_points(std::span<const Point> points) {
+void require_points_of_curve(std::span<const Point> points) {
   if (points.size() < 2) refuse("curve through points", "must have two points or more");
   for (std::size_t i = 0; i < points.size(); ++i)
     require_finite(points[i], "curve's point " + std::to_string(i));
@@ -60,7 +60,7 @@ Bezier hermite(const Point& a, const Vector& velocity_a, const Point& b, const V
 }
 
 std::vector<Bezier> catmull_rom_legs(std::span<const Point> points, Knots knots) {
-  require_points(points);
+  require_points_of_curve(points);
   const std::vector<double> spans = knot_spans(points, knots);
   const std::vector<Vector> slopes = velocities(points, spans);
   std::vector<Bezier> legs;

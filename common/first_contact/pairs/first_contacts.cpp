@@ -13,7 +13,7 @@ namespace {
 
 using Spheres = std::span<const Moving<Sphere>>;
 
-bool earlier(const PairContact& a, const PairContact& b) {
+bool contact_earlier(const PairContact& a, const PairContact& b) {
   return std::tie(a.contact.time, a.first, a.second) < std::tie(b.contact.time, b.first, b.second);
 }
 
@@ -109,7 +109,7 @@ std::vector<PairContact> first_contacts_one_by_one(Spheres spheres) {
   for (std::size_t i = 0; i < spheres.size(); ++i)
     for (std::size_t j = i + 1; j < spheres.size(); ++j)
       if (auto contact = sweep(spheres[i], spheres[j])) found.push_back({i, j, std::move(*contact)});
-  std::sort(found.begin(), found.end(), earlier);
+  std::sort(found.begin(), found.end(), contact_earlier);
   return found;
 }
 //! [one_by_one]
@@ -118,7 +118,7 @@ std::vector<PairContact> first_contacts_one_by_one(Spheres spheres) {
 std::vector<PairContact> first_contacts(Spheres spheres, PairStatistics* counted) {
   std::vector<PairContact> found;
   each_contact(spheres, 1.0, counted, [&](PairContact&& pair) { found.push_back(std::move(pair)); });
-  std::sort(found.begin(), found.end(), earlier);
+  std::sort(found.begin(), found.end(), contact_earlier);
   return found;
 }
 
@@ -126,7 +126,7 @@ std::optional<PairContact> earliest_contact(Spheres spheres, PairStatistics* cou
   std::optional<PairContact> first;
   double latest = 1;
   each_contact(spheres, latest, counted, [&](PairContact&& pair) {
-    if (first && !earlier(pair, *first)) return;
+    if (first && !contact_earlier(pair, *first)) return;
     first = std::move(pair);
     latest = first->contact.time;
   });

@@ -28,7 +28,7 @@ double largest(const Side& side, const Point2& p) {
 }
 
 // How far from this side a point counts as on it.
-double rounding(const Side& side, const Point2& p) { return boundary_tolerance * largest(side, p); }
+double rounding_at(const Side& side, const Point2& p) { return boundary_tolerance * largest(side, p); }
 
 // Left of the side, seen along it: 1; right of it: -1; on its line, up to rounding: 0.
 int turn(const Side& side, const Point2& point) {
@@ -36,14 +36,14 @@ int turn(const Side& side, const Point2& point) {
   const Point2 from = scale * side.from, to = scale * side.to, p = scale * point;
   const Point2 along = to - from, m = p - from;
   const double cross = along.x() * m.y() - along.y() * m.x();  // |along| times the distance from the line
-  return std::abs(cross) <= rounding({from, to}, p) * (std::abs(along.x()) + std::abs(along.y())) ? 0
-         : cross > 0                                                                              ? 1
-                                                                                                  : -1;
+  return std::abs(cross) <= rounding_at({from, to}, p) * (std::abs(along.x()) + std::abs(along.y())) ? 0
+         : cross > 0                                                                                 ? 1
+                                                                                                     : -1;
 }
 
 bool on(const Side& side, const Point2& p) {
   if (turn(side, p) != 0) return false;
-  const Point2 margin = Point2::Constant(rounding(side, p));
+  const Point2 margin = Point2::Constant(rounding_at(side, p));
   return Rectangle{side.from.cwiseMin(side.to) - margin, side.from.cwiseMax(side.to) + margin}.contains(p);
 }
 

@@ -14,7 +14,7 @@ namespace first_contact {
 namespace {
 
 /// Two unit vectors whose cross product is shorter are parallel but for rounding: it would be no direction.
-constexpr double parallel = 16 * std::numeric_limits<double>::epsilon();
+constexpr double parallel_axes = 16 * std::numeric_limits<double>::epsilon();
 
 /// Where a hull lies along a direction.
 struct Extent {
@@ -160,7 +160,7 @@ std::vector<Vector> separating_axes(const Hull& a, const Hull& b) {
   std::vector<Vector> axes = a.normals;
   axes.insert(axes.end(), b.normals.begin(), b.normals.end());
   const auto add = [&](const Vector& across) {
-    if (norm(across) > parallel) axes.push_back(normalized(across));
+    if (norm(across) > parallel_axes) axes.push_back(normalized(across));
   };
   for (const Vector& e : a.edges)
     for (const Vector& f : b.edges) add(e.cross(f));

@@ -12,15 +12,9 @@ namespace {
 
 using Polygon = std::vector<Point>;
 
-Point mean(const Polygon& points) {
-  Point sum = Point::Zero();
-  for (const Point& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 /// Grows with the angle of (x, y), from -2 to 2: what atan2 tells, by a sum and a quotient alone, which every machine
 /// rounds alike.
-double turned(double x, double y) {
+double angle_rank(double x, double y) {
   const double size = std::abs(x) + std::abs(y);
   const double part = size > 0 ? y / size : 0;
   return x >= 0 ? part : std::copysign(2, y) - part;
@@ -30,7 +24,7 @@ double turned(double x, double y) {
 Polygon around(Polygon corners, const Vector& normal) {
   const Point middle = mean(corners);
   const Vector u = normal.unitOrthogonal(), v = normal.cross(u);
-  const auto angle = [&](const Point& p) { return turned(dot(u, p - middle), dot(v, p - middle)); };
+  const auto angle = [&](const Point& p) { return angle_rank(dot(u, p - middle), dot(v, p - middle)); };
   // Stable: corners of one angle stay in their order, whichever standard library sorts.
   std::stable_sort(corners.begin(), corners.end(),
                    [&](const Point& a, const Point& b) { return angle(a) < angle(b); });

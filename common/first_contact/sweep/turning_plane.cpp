@@ -21,14 +21,8 @@ double scale_of(const Turning<Mesh>& turning, const Plane& plane) {
   return largest;
 }
 
-Point mean(const std::vector<Point>& points) {
-  Point sum = Point::Zero();
-  for (const Point& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 /// The plane as the body meets it: with its normal toward the body, and a point on it.
-struct Wall {
+struct FacingPlane {
   Vector normal;
   Point base;
   double rounding;
@@ -36,25 +30,25 @@ struct Wall {
 };
 
 // How long a vertex may go on; nothing if it touches.
-std::optional<double> time_of_vertex(const Wall& wall, const Course& course) {
-  const bool near = course.height <= wall.close.gap;
-  if (near && (wall.close.also_leaving || course.rate < -wall.rounding)) return std::nullopt;
-  const double level = near ? std::min(course.height, 0.0) - wall.close.gap / 2 : wall.close.gap / 2;
+std::optional<double> time_of_vertex(const FacingPlane& facing, const Course& course) {
+  const bool near = course.height <= facing.close.gap;
+  if (near && (facing.close.also_leaving || course.rate < -facing.rounding)) return std::nullopt;
+  const double level = near ? std::min(course.height, 0.0) - facing.close.gap / 2 : facing.close.gap / 2;
   return time_above(level, course);
 }
 
-Contact contact_of(const Mesh& body, const Wall& wall, double time) {
+Contact contact_of(const Mesh& body, const FacingPlane& facing, double time) {
   std::vector<Point> touching;
   for (const Point& p : body.vertices())
-    if (const double height = dot(wall.normal, p - wall.base); height <= wall.close.gap)
-      touching.emplace_back(p - height * wall.normal);
+    if (const double height = dot(facing.normal, p - facing.base); height <= facing.close.gap)
+      touching.emplace_back(p - height * facing.normal);
   const Feature feature = touching.size() == 1   ? Feature::vertex
                           : touching.size() == 2 ? Feature::edge
                                                  : Feature::face;
   if (touching.size() > 4) touching = {mean(touching)};
   ContactPoints points(3, static_cast<Eigen::Index>(touching.size()));
   for (std::size_t i = 0; i < touching.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = touching[i];
-  return {time, points, wall.normal, feature};
+  return {time, points, facing.normal, feature};
 }
 
 }  // namespace
@@ -63,16 +57,16 @@ std::optional<Contact> sweep(const Turning<Mesh>& turning, const Plane& plane, c
   if (turning.shape.vertices().empty() || (turning.angle == 0 && turning.displacement.isZero(0)))
     return std::nullopt;
   const double side = plane.signed_distance(mean(turning.shape.vertices())) < 0 ? -1 : 1;
-  const Wall wall{side * plane.normal(),
-                  turning.center - plane.signed_distance(turning.center) * plane.normal(),
-                  along_rounding * scale_of(turning, plane), close};
+  const FacingPlane facing{side * plane.normal(),
+                           turning.center - plane.signed_distance(turning.center) * plane.normal(),
+                           along_rounding * scale_of(turning, plane), close};
   for (double time = 0;;) {
     const Mesh body = turned(turning, time);
     const Going going(turning, time);
     double free = 1 - time;
     for (const Point& p : body.vertices()) {
-      const auto until = time_of_vertex(wall, going.of(p, wall.normal, wall.base));
-      if (!until) return contact_of(body, wall, time);
+      const auto until = time_of_vertex(facing, going.of(p, facing.normal, facing.base));
+      if (!until) return contact_of(body, facing, time);
       free = std::min(free, *until);
     }
     if (time >= 1) return std::nullopt;

@@ -16,6 +16,11 @@ struct Piece {
   std::vector<Point> outline;
 };
 
+// What a plane makes of pieces.
+struct Parts {
+  std::vector<Piece> front, back, within;
+};
+
 std::vector<Piece> whole(std::span<const Triangle> polygons) {
   std::vector<Piece> pieces;
   pieces.reserve(polygons.size());
@@ -123,10 +128,6 @@ class BspTree::Builder {
   }
 
  private:
-  struct Parts {
-    std::vector<Piece> front, back, within;
-  };
-
   //! [best_plane]
   // Of some of the polygons, evenly chosen, the one whose plane divides best; none if none gets further.
   std::optional<Plane> best_plane(const std::vector<Piece>& pieces, std::size_t quota) const {
