@@ -35,12 +35,18 @@ struct FaceAt {
 /// has to be asked face by face.
 enum class Lead { away, nearer, in_doubt };
 
+/// Where they lead, and, if all lead away, the lowest of their numbers.
+struct FacesAround {
+  Lead lead;
+  std::uint32_t lowest;
+};
+
 /// A search for the first touch of one sphere among the features of a surface, in whatever order they come.
 ///
 /// Known is what is known of the surface:
 /// - `position(v)` of a vertex, which goes by the lowest number that the mesh has for it;
-/// - `lead(touch, from, to)` around an edge, or a vertex (from = to);
-/// - `faces_at(from, to)`, all faces with both, lowest number first; `lowest_face_at(from, to)`;
+/// - `around(touch, from, to)`: where the faces around an edge, or a vertex (from = to), lead;
+/// - `faces_at(from, to)`, all faces with both, lowest number first;
 /// - `each_near(vertices, visit)`: calls visit(number, corners) for all faces with one of the vertices that
 ///   the sphere may touch.
 template <class Known>
@@ -119,9 +125,9 @@ void FirstTouch<Known>::edge(std::uint32_t p, std::uint32_t q) {
   const auto touch = touch_edge(moving_, known_.position(from), known_.position(to));
   if (too_late(touch)) return;
   const Vertices vertices{from, to, to};
-  const Lead lead = known_.lead(*touch, from, to);
+  const auto [lead, lowest] = known_.around(*touch, from, to);
   if (lead == Lead::nearer) return;
-  if (lead == Lead::away) return keep(*touch, vertices, known_.lowest_face_at(from, to));
+  if (lead == Lead::away) return keep(*touch, vertices, lowest);
 
   const std::vector<FaceAt> around = known_.faces_at(from, to);
   const SidesAtEdge sides(around, from, to);
@@ -137,9 +143,9 @@ void FirstTouch<Known>::vertex(std::uint32_t vertex) {
   const auto touch = touch_vertex(moving_, known_.position(vertex));
   if (too_late(touch)) return;
   const Vertices vertices{vertex, vertex, vertex};
-  const Lead lead = known_.lead(*touch, vertex, vertex);
+  const auto [lead, lowest] = known_.around(*touch, vertex, vertex);
   if (lead == Lead::nearer) return;
-  if (lead == Lead::away) return keep(*touch, vertices, known_.lowest_face_at(vertex, vertex));
+  if (lead == Lead::away) return keep(*touch, vertices, lowest);
 
   const std::vector<FaceAt> around = known_.faces_at(vertex, vertex);
   std::vector<std::uint32_t> others;

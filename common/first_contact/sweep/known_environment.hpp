@@ -20,7 +20,7 @@ class KnownEnvironment {
   ///@{
   /// \see FirstTouch
   const Point& position(std::uint32_t vertex) const { return environment_.mesh().vertices()[vertex]; }
-  Lead lead(const Touch&, std::uint32_t, std::uint32_t) const { return Lead::in_doubt; }
+  FacesAround around(const Touch&, std::uint32_t, std::uint32_t) const { return {Lead::in_doubt, 0}; }
   std::vector<FaceAt> faces_at(std::uint32_t from, std::uint32_t to) const {
     std::vector<FaceAt> faces;
     for (const std::uint32_t number : environment_.topology().faces_at(from)) {
@@ -28,9 +28,6 @@ class KnownEnvironment {
       if (face.has(to)) faces.push_back(face);
     }
     return faces;
-  }
-  std::uint32_t lowest_face_at(std::uint32_t from, std::uint32_t to) const {
-    return faces_at(from, to).front().number;
   }
   template <class Visit>
   void each_near(const std::array<std::uint32_t, 3>& vertices, const Visit& visit) const {

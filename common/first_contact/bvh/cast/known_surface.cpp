@@ -13,6 +13,9 @@ bool has(const LeafFace& face, std::uint32_t vertex) {
   return face.corner[0] == vertex || face.corner[1] == vertex || face.corner[2] == vertex;
 }
 
+/// No face's number.
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
 /// Is a face with these two sides far from being too thin to answer for itself (\see Facet::thin_for), and
 /// its normal right to much less than a millionth?
 bool clearly_thick(const Vector& u, const Vector& v, double radius) {
@@ -44,11 +47,11 @@ void KnownSurface::each_face_at(std::uint32_t from, std::uint32_t to, const Visi
 /// bend away from the sphere, then none of them is nearer, none has the touch's normal, the edge is not flat
 /// and the vertex is not buried: the normal itself shows the way out. If one comes nearer, something else is
 /// touched before. What is not clear goes to the functions that weigh the rounding.
-Lead KnownSurface::lead(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
+FacesAround KnownSurface::around(const Touch& touch, std::uint32_t from, std::uint32_t to) const {
   constexpr double much = 1e-6;  // radians
   // The angle up to which nearest.cpp takes two directions for one, twice over.
   const double in_doubt = 2 * std::sqrt(touch.tolerance * (2 * touch.distance + touch.tolerance));
-  if (!(in_doubt < 0.5 * touch.distance)) return Lead::in_doubt;
+  if (!(in_doubt < 0.5 * touch.distance)) return {Lead::in_doubt, none};
   const double sine = std::max(much, in_doubt / touch.distance);
   const Vector edge = position(to) - position(from);
   bool all_away = true;
@@ -66,11 +69,15 @@ Lead KnownSurface::lead(const Touch& touch, std::uint32_t from, std::uint32_t to
   // What was considered is at hand, and most often says so already.
   for (std::size_t i = 0; i < count_; ++i) {
     const LeafFace& face = first_[i];
-    if (has(face, from) && has(face, to) && leads_nearer(face)) return Lead::nearer;
+    if (has(face, from) && has(face, to) && leads_nearer(face)) return {Lead::nearer, none};
   }
   bool nearer = false;
-  each_face_at(from, to, [&](const LeafFace& face) { nearer = nearer || leads_nearer(face); });
-  return nearer ? Lead::nearer : all_away ? Lead::away : Lead::in_doubt;
+  std::uint32_t lowest = none;
+  each_face_at(from, to, [&](const LeafFace& face) {
+    lowest = std::min(lowest, face.number);
+    nearer = nearer || leads_nearer(face);
+  });
+  return {nearer ? Lead::nearer : all_away ? Lead::away : Lead::in_doubt, lowest};
 }
 //! [lead]
 
@@ -81,12 +88,6 @@ std::vector<FaceAt> KnownSurface::faces_at(std::uint32_t from, std::uint32_t to)
   });
   std::sort(faces.begin(), faces.end(), [](const FaceAt& f, const FaceAt& g) { return f.number < g.number; });
   return faces;
-}
-
-std::uint32_t KnownSurface::lowest_face_at(std::uint32_t from, std::uint32_t to) const {
-  std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
-  each_face_at(from, to, [&](const LeafFace& face) { lowest = std::min(lowest, face.number); });
-  return lowest;
 }
 
 }  // namespace first_contact::bvh

@@ -35,9 +35,8 @@ class KnownSurface {
   ///@{
   /// \see FirstTouch
   const Point& position(std::uint32_t vertex) const { return parts_.mesh.vertices()[vertex]; }
-  Lead lead(const Touch& touch, std::uint32_t from, std::uint32_t to) const;
+  FacesAround around(const Touch& touch, std::uint32_t from, std::uint32_t to) const;
   std::vector<FaceAt> faces_at(std::uint32_t from, std::uint32_t to) const;
-  std::uint32_t lowest_face_at(std::uint32_t from, std::uint32_t to) const;
   /// All faces that reach what is touched were considered.
   template <class Visit>
   void each_near(const std::array<std::uint32_t, 3>&, const Visit& visit) const {
