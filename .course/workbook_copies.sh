@@ -102,6 +102,7 @@ grade_answer() {
   cp "$file" "$room/answer.hpp"
   elsewhere=$(includes_elsewhere "$id" "$room/answer.hpp" "$room")
   [[ -z "$elsewhere" ]] || { echo "includes"; return; }
+  build_judge "$id" judge "$(folder_of "$id")"/wrong/*.hpp
   build_answer "$id" "$room/answer.hpp" "$room/answer" "$inside" || { echo "compile"; return; }
   local command=("$room/answer")
   [[ -z "$inside" ]] || command=("${walls[@]}" "$room" /answer)
@@ -116,7 +117,6 @@ grade() {
   from=$(of_caller "$from")
   [[ -d "$from" ]] || { say "course: grade $1: must be a folder of students' folders"; exit 2; }
   build_judges_parts
-  for id in $(exercises); do build_judge "$id" judge "$(folder_of "$id")"/wrong/*.hpp; done
   local room
   room=$(mktemp -d)
   room=$(cd "$room" && pwd -P)
