@@ -115,6 +115,11 @@ void tell_crowd(Program& program) {
 //! [report]
 
 //! [notes]
+// Results that a scene of an extreme size need not have.
+void result_if_finite(Program& program, const std::string& place, double number) {
+  if (std::isfinite(number)) program.result(place, number);
+}
+
 // More numbers that the notes speak of: those of the quadratic equation, and what is lost far away.
 void note_roots(Program& program, const Moving<Sphere>& p, const Moving<Sphere>& q) {
   const Vector w = p.shape.center - q.shape.center, u = p.displacement - q.displacement;
@@ -124,6 +129,13 @@ void note_roots(Program& program, const Moving<Sphere>& p, const Moving<Sphere>&
   program.value("wu", w.dot(u));
   program.value("d2", d * d);
   program.value("discriminant", discriminant(u, accurate_cross(w, u), d));
+  result_if_finite(program, "/discriminant", discriminant(u, accurate_cross(w, u), d));
+  result_if_finite(program, "/closest_time", -w.dot(u) / u.squaredNorm());
+  result_if_finite(program, "/closest_distance", accurate_cross(w, u).norm() / u.norm());
+  if (const auto times = contact_interval(p, q)) {
+    result_if_finite(program, "/t1", times->begin);
+    result_if_finite(program, "/t2", times->end);
+  }
   program.value("distance_begin", w.norm());
   program.value("distance_end", (w + u).norm());
 }
@@ -157,6 +169,16 @@ void note_near_and_cost(Program& program) {
 }
 //! [notes]
 
+//! [studies]
+void tell_studies(Program& program) {
+  tell_errors(program.report());
+  tell_crowd(program);
+  note_far_away<float>(program, "single");
+  note_far_away<double>(program, "double");
+  note_near_and_cost(program);
+}
+//! [studies]
+
 }  // namespace
 
 //! [main]
@@ -179,12 +201,8 @@ int main(int argc, char** argv) {
     program.report().title({"Two moving spheres", "兩個移動球面的碰撞"}, "2.3");
     tell_roots(program, p, q);
     tell_contact(program, meeting, when);
-    tell_errors(program.report());
-    tell_crowd(program);
     note_roots(program, p, q);
-    note_far_away<float>(program, "single");
-    note_far_away<double>(program, "double");
-    note_near_and_cost(program);
+    if (!program.results_alone()) tell_studies(program);
     if (program.draws()) draw_moving_spheres_figures(program, p, q);
   });
 }

@@ -4,7 +4,6 @@
 
 #include "encounter.hpp"
 #include "figures/figures.hpp"
-#include "first_contact/geometry/refuse.hpp"
 #include "first_contact/program/program.hpp"
 
 using namespace first_contact;
@@ -114,16 +113,6 @@ void tell_meeting(Report& report, const Encounter& encounter, const Outcome& out
                 "兩圓不相碰：最接近時 t = " + when + "，球心距離 " + nearest});
 }
 
-double energy(const Encounter& encounter, const std::array<Vector2d, 2>& v) {
-  double sum = 0;
-  for (const std::size_t i : {0U, 1U}) {
-    const double mass = encounter.mass[static_cast<int>(i)];
-    if (std::isfinite(mass)) sum += mass * v[i].squaredNorm() / 2;  // a wall's energy does not change
-  }
-  if (!std::isfinite(sum)) refuse("energy", "must not lead beyond the range of numbers");
-  return sum;
-}
-
 void tell_outcome(Report& report, const Encounter& encounter, const Outcome& outcome) {
   report.row("collides", std::string(outcome.collides ? "true" : "false"), {"in this model", "依此模型"});
   report.row("v1", pair_of(outcome.velocity[0]), {"velocity of body 1 afterwards", "物件1碰撞後的速度"});
@@ -188,6 +177,23 @@ void give_results(Program& program, const Outcome& outcome, const std::string& p
                    std::vector{outcome.velocity[i].x(), outcome.velocity[i].y()});
 }
 
+// Both models of one scene, and what each makes of energy and momentum. Of a wall program 4 knows nothing.
+void give_both(Program& program, const Encounter& encounter) {
+  if (!encounter.mass.allFinite()) return;
+  const auto give = [&](const std::string& place, const std::array<Vector2d, 2>& velocity) {
+    program.result(place + "/energy", energy(encounter, velocity));
+    const Vector2d sum = momentum(encounter, velocity);
+    program.result(place + "/momentum", std::vector{sum.x(), sum.y()});
+  };
+  give("/before", {encounter.v1, encounter.v2});
+  for (const bool printed : {true, false}) {
+    const Outcome outcome = printed ? as_printed(encounter) : at_contact(encounter);
+    const std::string place = printed ? "/printed" : "/contact";
+    give_results(program, outcome, place);
+    give(place, outcome.velocity);
+  }
+}
+
 //! [notes]
 // Numbers that the notes speak of: of two discs, by both models.
 void note(Program& program, const std::string& name, const Encounter& encounter) {
@@ -241,6 +247,7 @@ void show_one(Program& program, const Encounter& encounter, bool printed) {
   program.report().say({"The discs of this scene", "此場景的兩圓"});
   tell_meeting(program.report(), encounter, at_contact(encounter));
   give_results(program, outcome);
+  give_both(program, encounter);
   note(program, "this", encounter);
   if (program.draws()) draw_encounter(program, "encounter", encounter, printed, !printed);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "first_contact/geometry/refuse.hpp"
+
 using namespace first_contact;
 using Eigen::Vector2d;
 
@@ -60,6 +62,20 @@ Closest closest_approach(const Encounter& e) {
 
 std::array<Vector2d, 2> centres(const Encounter& e, double time) {
   return {e.p1 + time * e.v1, e.p2 + time * e.v2};
+}
+
+double energy(const Encounter& e, const std::array<Vector2d, 2>& v) {
+  double sum = 0;
+  for (const std::size_t i : {0U, 1U}) {
+    const double mass = e.mass[static_cast<int>(i)];
+    if (std::isfinite(mass)) sum += mass * v[i].squaredNorm() / 2;
+  }
+  if (!std::isfinite(sum)) refuse("energy", "must not lead beyond the range of numbers");
+  return sum;
+}
+
+Vector2d momentum(const Encounter& e, const std::array<Vector2d, 2>& v) {
+  return e.mass[0] * v[0] + e.mass[1] * v[1];
 }
 
 Encounter aimed_beside() {

@@ -44,6 +44,12 @@ Closest closest_approach(const Encounter& encounter);
 /// Where the centres are at a time.
 std::array<Eigen::Vector2d, 2> centres(const Encounter& encounter, double time);
 
+/// 1/2 (m1 v1^2 + m2 v2^2); that of a wall does not change, and is left out.
+/// \throws std::invalid_argument if it is larger than any number.
+double energy(const Encounter& encounter, const std::array<Eigen::Vector2d, 2>& velocity);
+/// m1 v1 + m2 v2.
+Eigen::Vector2d momentum(const Encounter& encounter, const std::array<Eigen::Vector2d, 2>& velocity);
+
 /// Two unit discs, one at rest, the other aimed one radius beside its centre: they meet at 30 degrees.
 Encounter aimed_beside();
 

@@ -283,6 +283,7 @@ void Program::result(const std::string& place, const Vector& value) {
 }
 void Program::result_list(const std::string& place) { inside_->at(place) = Json::array(); }
 
+bool Program::results_alone() const { return inside_->as_json && inside_->values_file.empty(); }
 void Program::value(const std::string& name, double number) { inside_->values[name] = number; }
 Language Program::language() const { return inside_->studio.chinese ? Language::chinese : Language::english; }
 bool Program::draws() const { return !inside_->no_figures; }

@@ -147,6 +147,9 @@ class Program {
     value(name, static_cast<double>(number));
   }
   ///@}
+  /// Is nobody there for the report, nor for the notes? With `--json` alone, studies that go to them can be left
+  /// out.
+  bool results_alone() const;
   /// The language of this run.
   Language language() const;
   /// Text in the language of this run.

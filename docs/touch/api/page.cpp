@@ -11,6 +11,7 @@ extern "C" {
 OF_THE_PAGE("number") void page_number(const char* name, double value);
 OF_THE_PAGE("numbers") void page_numbers(const char* name, const double* values, std::size_t count);
 OF_THE_PAGE("word") void page_word(const char* name, const char* word);
+OF_THE_PAGE("whether") void page_whether(const char* name, bool is_so);
 OF_THE_PAGE("refused") void page_refused(const char* why);
 
 // WebAssembly of Debian's clang knows no exceptions: what would be thrown is told to the page, and the call
@@ -32,5 +33,6 @@ void tell(const char* name, std::span<const double> values) {
 }
 void tell(const char* name, const first_contact::Vector& value) { page_numbers(name, value.data(), 3); }
 void tell(const char* name, const char* word) { page_word(name, word); }
+void tell_whether(const char* name, bool is_so) { page_whether(name, is_so); }
 
 }  // namespace touch

@@ -17,5 +17,6 @@ void tell(const char* name, double value);
 void tell(const char* name, const first_contact::Vector& value);
 void tell(const char* name, std::span<const double> values);
 void tell(const char* name, const char* word);
+void tell_whether(const char* name, bool is_so);
 
 }  // namespace touch

@@ -13,8 +13,9 @@ export function make(name, properties = {}, ...children) {
 }
 
 /// A slider for one number of the state.
+/// \param now  what it is; \param moved  called with what is wished
 export class Slider {
-  constructor(name, parameter, label, moved) {
+  constructor(name, parameter, label, now, moved) {
     this.name = name;
     const {least, most, step, fine} = parameter;
     this.output = make('output');
@@ -25,22 +26,27 @@ export class Slider {
       const way = wayOf(event, {step, fine});
       if (!way) return;
       event.preventDefault();
-      moved(this.value + way[0] + way[1]);
+      moved(now() + way[0] + way[1]);
     });
   }
 
   show(value) {
-    this.value = value;
     this.input.value = value;
     this.output.textContent = shown(value);
     this.input.setAttribute('aria-valuetext', shown(value));
   }
 }
 
-/// Numbers with their names, live: the rows are [letter as HTML, text, kind].
+function answer([text, kind = '', part]) {
+  const element = make('dd', {textContent: text, className: kind});
+  if (part !== undefined) element.append(make('span', {className: 'bar', style: `--part: ${part}`}));
+  return element;
+}
+
+/// Numbers with their names, live: each row is a name, as HTML, and its answers, [text, kind, part of a bar from 0 to 1].
 export function showAnswers(list, rows) {
-  list.replaceChildren(...rows.map(([letter, text, kind = '']) =>
-    make('div', {className: kind}, make('dt', {innerHTML: letter}), make('dd', {textContent: text}))));
+  list.replaceChildren(...rows.map(([name, ...answers]) =>
+    make('div', {}, make('dt', {innerHTML: name}), ...answers.map(answer))));
 }
 
 /// A button.

@@ -42,9 +42,10 @@ export class Figure {
   }
 
   build() {
-    const {own, words} = this, change = (name) => (wished) => this.change(name, wished);
+    const {own, words} = this;
+    const now = (name) => () => this.shownPlace(name), moved = (name) => (wished) => this.change(name, this.meant(name, wished));
     const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false}]) => isPlace === wanted)
-        .map(([name, parameter]) => new Kind(name, parameter, words[name], change(name)));
+        .map(([name, parameter]) => new Kind(name, parameter, words[name], now(name), moved(name)));
     this.handles = controls(Handle, true);
     this.sliders = controls(Slider, false);
     this.drawing = mark('g', {'aria-hidden': true});
@@ -88,6 +89,18 @@ export class Figure {
     this.element.scrollIntoView({block: 'center'});
   }
 
+  // Where a handle is, or what a slider shows: a way begins at another place, and has its handle at its end.
+  shownPlace(name) {
+    const {from} = this.own.parameters[name], value = this.state[name];
+    return from ? value.map((each, i) => each + this.state[from][i]) : value;
+  }
+
+  // What is meant by moving it there.
+  meant(name, wished) {
+    const {from} = this.own.parameters[name];
+    return from ? wished.map((each, i) => each - this.state[from][i]) : wished;
+  }
+
   change(name, wished) {
     const value = clamped(this.own.parameters[name], wished);
     if (String(value) === String(this.state[name])) return;
@@ -128,12 +141,12 @@ export class Figure {
     this.picture.style.height = `${height}px`;
     for (const slider of this.sliders) slider.show(state[slider.name]);
     for (const handle of this.handles)
-      handle.show(pens[0], state[handle.name], this.words.place(...state[handle.name].map(shown)));
+      handle.show(pens[0], this.words.place(...state[handle.name].map(shown)));
     this.link.href = fragmentOf(this.id, state);
     this.line.textContent = this.command();
     this.told.innerHTML = this.answer.refused ?? own.told(state, this.answer, this.words);
     if (this.answer.refused) return;
-    this.drawing.replaceChildren(...own.draw(pens, state, this.answer, this.words));
+    this.drawing.replaceChildren(...own.draw(pens, state, this.answer, this.words).map((marks, i) => pens[i].frame(marks)));
     showAnswers(this.answers, own.answers(state, this.answer, this.words));
   }
 

@@ -16,12 +16,12 @@ function placeOf(event, picture) {
 }
 
 /// A handle for one place of the state.
-/// \param moved  called with the wished place, [x, y] in the world
+/// \param now  its place, [x, y] in the world; \param moved  called with the wished one
 export class Handle {
-  constructor(name, parameter, label, moved) {
-    Object.assign(this, {name, parameter, label, moved});
-    const [[least], [most], [now]] = [parameter.least, parameter.most, parameter.start];
-    const range = {'aria-valuemin': least, 'aria-valuemax': most, 'aria-valuenow': now};
+  constructor(name, parameter, label, now, moved) {
+    Object.assign(this, {name, parameter, now, moved});
+    const {least, most, start} = parameter;
+    const range = {'aria-valuemin': least[0], 'aria-valuemax': most[0], 'aria-valuenow': start[0]};
     this.element = mark('g', {class: 'handle', tabindex: 0, role: 'slider', 'aria-label': label, ...range},
                         mark('circle', {class: 'reach', r: 22}), mark('circle', {class: 'ring', r: 9}));
     this.element.addEventListener('touchstart', (event) => event.preventDefault(), {passive: false});  // no scrolling
@@ -37,7 +37,7 @@ export class Handle {
     event.preventDefault();
     this.element.focus({preventScroll: true});
     this.element.setPointerCapture(event.pointerId);
-    const at = placeOf(event, this.element.ownerSVGElement), own = this.pen.at(this.place);
+    const at = placeOf(event, this.element.ownerSVGElement), own = this.pen.at(this.now());
     this.held = [own[0] - at[0], own[1] - at[1]];  // a handle that is caught at its rim does not jump
   }
 
@@ -51,13 +51,14 @@ export class Handle {
     const way = wayOf(event, this.parameter);
     if (!way) return;
     event.preventDefault();
-    this.moved([this.place[0] + way[0], this.place[1] + way[1]]);
+    const [x, y] = this.now();
+    this.moved([x + way[0], y + way[1]]);
   }
 
   /// Puts the handle where the state has it.
-  show(pen, place, words) {
-    Object.assign(this, {pen, place});
-    const [x, y] = pen.at(place);
+  show(pen, words) {
+    this.pen = pen;
+    const place = this.now(), [x, y] = pen.at(place);
     this.element.setAttribute('transform', `translate(${x},${y})`);
     this.element.setAttribute('aria-valuenow', place[0]);
     this.element.setAttribute('aria-valuetext', words);

@@ -27,6 +27,7 @@ function put(name, value) {
 const page = {
   number: put,
   numbers: (name, first, count) => put(name, [...new Float64Array(memory.instance.exports.memory.buffer, first, count)]),
+  whether: (name, isSo) => put(name, Boolean(isSo)),
   word: (name, word) => put(name, wordAt(word, false)),
   refused: (why) => { throw new Error(wordAt(why, false)); },
 };

@@ -4,8 +4,10 @@ const decimals = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
 
 /// A number: {start, least, most, step, fine}. The arrows go by `step`, with Shift by `fine`, and so does a drag.
 export const number = (start, {least, most, step, fine = step}) => ({start, least, most, step, fine});
-/// A place in the plane: {start: [x, y], least: [x, y], most: [x, y], step, fine}.
-export const place = (start, {least, most, step = 0.1, fine = 0.01}) => ({start, least, most, step, fine, isPlace: true});
+/// A place in the plane: {start: [x, y], least: [x, y], most: [x, y], step, fine}; with `from` the way from another place
+/// to it, such as a velocity.
+export const place = (start, {least, most, step = 0.1, fine = 0.01, from}) =>
+  ({start, least, most, step, fine, from, isPlace: true});
 
 const within = (value, least, most, step) =>
   Number((Math.round(Math.min(most, Math.max(least, value)) / step) * step).toFixed(decimals(step)));

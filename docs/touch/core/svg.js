@@ -30,6 +30,12 @@ export class Pen {
     return [this.corner[0] + (x - this.view.left) * this.scale, this.corner[1] + (this.view.top - y) * this.scale];
   }
 
+  /// What is drawn in this view; nothing goes beyond its edge.
+  frame(marks) {
+    const [x, y] = this.corner, {width, height} = this;
+    return mark('svg', {x, y, width, height, viewBox: `${x} ${y} ${width} ${height}`}, ...marks);
+  }
+
   /// From the paper back to the world.
   world([x, y]) {
     return [this.view.left + (x - this.corner[0]) / this.scale, this.view.top - (y - this.corner[1]) / this.scale];
@@ -62,6 +68,11 @@ export class Pen {
     return mark('g', {class: `arrow ${kind}`},
                 mark('path', {d: `M${a}L${b[0] - 0.8 * head * ux},${b[1] - 0.8 * head * uy}`}),
                 mark('path', {class: 'head', d: `M${b}L${side(4.2)}L${side(-4.2)}z`}));
+  }
+
+  /// The name of a view, in its upper left corner.
+  caption(text) {
+    return mark('text', {x: this.corner[0], y: this.corner[1] + 16, class: 'view'}, text);
   }
 
   /// Letters beside a place, moved by pixels on the paper.

@@ -1,2 +1,4 @@
 // Every figure to touch, by the name that an essay calls it by.
+export {angleDemo as 'angle-demo'} from './angle_demo.js';
+export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';
 export {plane} from './plane.js';

@@ -50,7 +50,7 @@ export const plane = {
     const {from, to, p, q, radius} = state, line = ends(answer, 0), raised = ends(answer, answer.drawn.raised);
     const foot = [0.7 * p[0] + 0.3 * q[0], 0.7 * p[1] + 0.3 * q[1]], [n, , m] = answer.drawn.normal;
     const tip = [foot[0] + 0.5 * state.length * n, foot[1] + 0.5 * state.length * m];  // drawn half as long as it is
-    return [
+    return [[
       pen.path([...line, [9, -9], [-9, -9]], 'ground', true), pen.path(line, 'obstacle'), pen.path(raised, 'offset'),
       ...frames(pen, state, answer), pen.ball(from, radius, 'mover'), pen.arrow(from, to, 'motion rest'),
       ...(answer.contact ? contact(pen, state, answer, words) : []),
@@ -59,12 +59,12 @@ export const plane = {
       pen.label('P', p, [-4, 24]), pen.label('Q', q, [-4, 24]),
       pen.label('E', [2.4, heightAt(line, 2.4)], [0, 18], 'obstacle'),
       pen.label('E′', [2.4, heightAt(raised, 2.4)], [0, -8], 'offset'),
-    ];
+    ]];
   },
 
   answers: (state, {gap, toward, contact: found, frames: seen, scaled_time: scaled}, words) => [
-    [words.gap, shown(gap)], ['<b>N</b> · <b>V</b>', shown(toward)], ['<i>t</i>', shown(found?.time), 'right'],
-    [words.frame, shown(seen?.first_overlap)], [words.printed, shown(scaled), 'printed']],
+    [words.gap, [shown(gap)]], ['<b>N</b> · <b>V</b>', [shown(toward)]], ['<i>t</i>', [shown(found?.time), 'right']],
+    [words.frame, [shown(seen?.first_overlap)]], [words.printed, [shown(scaled), 'printed']]],
 
   told: ({frames: count}, {contact: found, frames: seen, gap}, words) =>
     [found ? words.touches(shown(gap), shown(found.time), ...flat(found.point).map(shown)) : words.free(shown(gap)),

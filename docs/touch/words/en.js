@@ -21,4 +21,42 @@ export const words = {
     tunnels: `No frame shows them together: asked there alone, the ball has gone through.`,
     seen: (first, count) => `Of ${count} frames, number ${first} is the first to show them together.`,
   },
+
+  'moving-spheres': {
+    title: 'Two moving balls, in the world and as seen from Q',
+    caption: `<b>To touch.</b> Drag both ends of both motions, in the world. The other picture is the same seen from <i>Q</i>: a point
+      that begins at <b>w</b> and moves by <b>u</b>, and a ball of radius <i>d</i> at rest. Where the discriminant is negative,
+      its line passes by.`,
+    p1: 'P 1, the centre of P at the start', p2: 'P 2, the centre of P at the end',
+    q1: 'Q 1, the centre of Q at the start', q2: 'Q 2, the centre of Q at the end',
+    rp: {html: 'radius <i>r<sub>P</sub></i>', spoken: 'radius of P'},
+    rq: {html: 'radius <i>r<sub>Q</sub></i>', spoken: 'radius of Q'},
+    time: {html: 'time <i>t</i>', spoken: 'time t'},
+    world: 'the world', fromQ: 'seen from Q', now: 'distance at <i>t</i>', closest: 'least distance', at: 'at',
+    discriminant: 'discriminant',
+    meets: (t, parts) => `The balls meet at <i>t</i> = ${t}, and would part at ${parts}.`,
+    passes: 'The balls never meet: the discriminant is negative.',
+    later: 'The balls do not meet within this motion.',
+    distance: (t, distance, d) => `At <i>t</i> = ${t} their centres are ${distance} apart; they touch at ${d}.`,
+  },
+
+  'angle-demo': {
+    title: 'Two discs and their impact',
+    caption: `<b>To touch.</b> Drag the discs and the tips of their velocities, and play. Red is before; green what happens: the
+      discs meet, and part by the normal at contact; pink is program 4 as printed: the velocities change at once, by the normal
+      at the start, whether the discs meet or not.`,
+    p1: 'P 1, the place of disc 1', v1: 'tip of velocity 1', p2: 'P 2, the place of disc 2', v2: 'tip of velocity 2',
+    mass1: {html: 'mass <i>m</i><sub>1</sub>', spoken: 'mass of disc 1'},
+    mass2: {html: 'mass <i>m</i><sub>2</sub>', spoken: 'mass of disc 2'},
+    restitution: {html: 'restitution <i>e</i>', spoken: 'restitution e'},
+    radius: {html: 'radius <i>r</i>', spoken: 'radius of both discs'},
+    time: {html: 'time <i>t</i>', spoken: 'time t'},
+    energy: 'energy', momentumX: 'momentum, <i>x</i>', momentumY: 'momentum, <i>y</i>',
+    velocities: 'velocities after',
+    meets: (t) => `The discs meet at <i>t</i> = ${t}.`,
+    misses: 'The discs never meet.',
+    printedToo: 'Program 4 has them collide as well, from where they start.',
+    printedAlone: 'Program 4 has them collide all the same: they come nearer.',
+    printedNot: 'Program 4 finds no collision.',
+  },
 };
