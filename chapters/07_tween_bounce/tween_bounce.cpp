@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "figures/figures.hpp"
+#include "film/run.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
@@ -220,8 +221,10 @@ int main(int argc, char** argv) {
                  at_most_one);
   program.option("--model", scene.model, std::vector<std::string>{"printed", "physical"},
                  "of the results, the file and figures 13 to 15");
-  program.option("--csv", scene.csv, "FILE", "write the samples there, columns t,y");
+  program.option("--csv", scene.csv, "FILE", "write the samples there, columns t,y; or a film's pictures");
+  const tween_bounce::FilmOptions film(program);
   return program.run(argc, argv, [&] {
+    if (tween_bounce::run_film(program, film, scene.csv)) return;
     const std::vector<std::string> thrown{"--v0", "--y0", "--g", "--dt", "--samples", "--restitution"};
     const auto motion = program.checked(thrown, [&] { return run_printed(scene, scene.v0); });
     const auto bounce =

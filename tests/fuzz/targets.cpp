@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "film/entry.hpp"
+#include "film/read_film.hpp"
 #include "first_contact/files/decimal.hpp"
 #include "first_contact/files/printable.hpp"
 #include "first_contact/mesh_io/mesh_formats.hpp"
@@ -68,6 +70,20 @@ void feed_options(const std::string& bytes) {
   }
 }
 
+// A film that is read has keys in order, each in a place; one that is not is refused in a line.
+void feed_film(const std::string& bytes) {
+  try {
+    const tween_bounce::Film film = tween_bounce::film_of(bytes, "film", "nowhere");
+    require(film.keys.size() > 1 && film.begin() < film.end(), "a film must have two keys, one after the other");
+    for (const tween_bounce::FilmKey& key : film.keys) {
+      require(key.place.allFinite() && key.turn.coeffs().allFinite(), "a key must be somewhere");
+      require(key.scale > 0 && std::isfinite(key.easing(0.3)), "a key must be drawn, and eased");
+    }
+  } catch (const tween_bounce::FilmError& error) {
+    check_message(error.what());
+  }
+}
+
 }  // namespace
 
 const std::vector<Target>& all_targets() {
@@ -77,6 +93,7 @@ const std::vector<Target>& all_targets() {
       {"ply", [](const std::string& bytes) { feed_mesh("a.ply", bytes); }},
       {"stl", [](const std::string& bytes) { feed_mesh("a.stl", bytes); }},
       {"options", feed_options},
+      {"film", feed_film},
   };
   return all;
 }

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-/// What is fed with bytes of any kind: the readers of mesh files, and that of options.
+/// What is fed with bytes of any kind: the readers of mesh files, that of options and that of films.
 
 /// Something that reads, and what must be true of it whatever it reads.
 struct Target {

@@ -1,5 +1,7 @@
 #include "figures.hpp"
 
+#include "film/read_film.hpp"
+
 using namespace first_contact::program;
 
 void draw_tween_bounce_figures(const Program& program, const tween_bounce::Flight& flight,
@@ -7,4 +9,8 @@ void draw_tween_bounce_figures(const Program& program, const tween_bounce::Fligh
   tween_bounce::draw_paper_figures(program, flight);
   tween_bounce::draw_bounces(program, printed, physical);
   tween_bounce::draw_tweens(program);
+  tween_bounce::draw_curve_lessons(program);
+  tween_bounce::draw_turns(program);
+  const tween_bounce::Film hall = tween_bounce::film_named("hall");
+  tween_bounce::draw_film(program, hall, tween_bounce::Showing(hall), {hall.end(), 25});
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "film/showing.hpp"
 #include "first_contact/program/program.hpp"
 #include "flight.hpp"
 
@@ -16,5 +17,19 @@ void draw_bounces(const first_contact::program::Program& program, const Flight& 
                   const Flight& physical);
 /// Easings, curves, and spacing along them.
 void draw_tweens(const first_contact::program::Program& program);
+
+/// How curves are made: de Casteljau's steps, knots, ways through keys, and the bound of a chord.
+void draw_curve_lessons(const first_contact::program::Program& program);
+/// Why poses are not tweened by their numbers, and what is done instead.
+void draw_turns(const first_contact::program::Program& program);
+
+/// Until when a film is drawn, and in how many pictures a second.
+struct FilmCut {
+  double until;
+  double per_second;
+};
+/// A film: one picture with the images that the body leaves of itself, and one that moves.
+void draw_film(const first_contact::program::Program& program, const Film& film, const Showing& showing,
+               const FilmCut& cut);
 
 }  // namespace tween_bounce

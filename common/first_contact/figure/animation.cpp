@@ -29,6 +29,15 @@ std::string circle(const Eigen::Vector2d& at, double radius, const Colour& colou
          "\" fill=\"" + hexadecimal(colour) + "\"";
 }
 
+std::string corners(const Diagram& diagram, const Outline& outline) {
+  std::string all;
+  for (const Eigen::Vector2d& corner : outline.corners) {
+    const Eigen::Vector2d p = diagram.pixel(corner);
+    all += (all.empty() ? "" : " ") + rounded(p.x()) + "," + rounded(p.y());
+  }
+  return all;
+}
+
 void keep(const std::vector<Moment>& all, std::size_t first, std::size_t last, double tolerance,
           std::vector<Moment>& kept) {
   double worst = 0;
@@ -119,7 +128,8 @@ void Animation::ball(const std::vector<Moment>& moments, double radius, const Co
     times += (times.empty() ? "" : ";") + rounded(pixel.time / duration_, 4);
   }
   const double size = radius * diagram_.unit_y();
-  moving_ += circle({0, 0}, size, colour) +
+  moving_ += circle({0, 0}, size, colour) + " transform=\"translate(" + rounded(pixels.back().at.x()) + "," +
+             rounded(pixels.back().at.y()) + ")\"" +
              "><animateTransform attributeName=\"transform\" type=\"translate\"" + timing() + " keyTimes=\"" +
              times + "\" values=\"" + values + "\"/></circle>\n";
   still_ += circle(pixels.back().at, size, colour) + "/>\n";
@@ -146,6 +156,47 @@ void Animation::stamp(const Moment& moment, double radius, const Colour& colour,
   const std::string disc = circle(diagram_.pixel(moment.at), radius * diagram_.unit_y(), colour);
   moving_ += disc + " opacity=\"0\">" + appearing(moment.time, duration_, opacity) + "</circle>\n";
   still_ += disc + " opacity=\"" + rounded(opacity, 2) + "\"/>\n";
+}
+
+void Animation::area(const std::vector<Outline>& outlines, const Colour& fill) {
+  shape(
+      outlines, "polygon",
+      "fill=\"" + hexadecimal(fill) + "\" stroke=\"" + hexadecimal(colour::ink) + "\" stroke-width=\"1.2\"");
+}
+
+void Animation::line(const std::vector<Outline>& outlines, const Colour& colour) {
+  shape(outlines, "polyline", "fill=\"none\" stroke=\"" + hexadecimal(colour) + "\" stroke-width=\"1.2\"");
+}
+
+// One that is not seen keeps the corners that it had, or will have, so that nothing moves but what is seen.
+void Animation::shape(const std::vector<Outline>& outlines, const std::string& element,
+                      const std::string& style) {
+  std::string points, last, values, times, shown;
+  for (const Outline& outline : outlines) {
+    if (outline.corners.empty()) continue;
+    points = corners(diagram_, outline);
+    break;
+  }
+  const auto add = [&](double time, bool seen) {
+    values += (values.empty() ? "" : ";") + points;
+    times += (times.empty() ? "" : ";") + rounded(time / duration_, 5);
+    shown += std::string(shown.empty() ? "" : ";") + (seen ? "1" : "0");
+  };
+  if (points.empty()) return;
+  for (const Outline& outline : outlines) {
+    if (!outline.corners.empty()) points = corners(diagram_, outline);
+    add(outline.time, !outline.corners.empty());
+  }
+  const bool seen = !outlines.back().corners.empty();
+  if (outlines.back().time < duration_) add(duration_, seen);
+  const std::string base = "<" + element + " points=\"" + points + "\" " + style;
+  moving_ += base + "><animate attributeName=\"points\"" + timing() + " keyTimes=\"" + times +
+             "\" values=\"" + values + "\"/>";
+  if (shown.find('0') != std::string::npos)
+    moving_ += "<animate attributeName=\"opacity\" calcMode=\"discrete\"" + timing() + " keyTimes=\"" +
+               times + "\" values=\"" + shown + "\"/>";
+  moving_ += "</" + element + ">\n";
+  if (seen) still_ += base + "/>\n";
 }
 
 void Animation::text(const std::string& words, const Eigen::Vector2d& at, double from, double until,

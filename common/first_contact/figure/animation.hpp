@@ -37,6 +37,12 @@ struct Moment {
   Eigen::Vector2d at;  ///< in the diagram's units
 };
 
+/// The corners of something at a time, in the diagram's units; none while it is not seen.
+struct Outline {
+  double time;                           ///< in the diagram's unit of time
+  std::vector<Eigen::Vector2d> corners;  ///< of all outlines that are not empty equally many
+};
+
 /// The moments that are needed, so that what moves straight from one to the next is never more than
 /// `tolerance` from where it should be (Douglas and Peucker, at equal times). The corners of a path are kept.
 std::vector<Moment> sparse(const std::vector<Moment>& moments, double tolerance);
@@ -54,6 +60,10 @@ class Animation {
   void trace(const std::vector<Moment>& moments, const Colour& colour, double width);
   /// A pale disc that appears at a moment and stays.
   void stamp(const Moment& moment, double radius, const Colour& colour, double opacity);
+  /// A body's face that moves and turns: its corners go straight from each outline to the next.
+  void area(const std::vector<Outline>& outlines, const Colour& fill);
+  /// A line upon a body, that moves alike.
+  void line(const std::vector<Outline>& outlines, const Colour& colour);
   /// A line of text that is there from a time on, until another.
   void text(const std::string& words, const Eigen::Vector2d& at, double from, double until,
             const Colour& colour, bool chinese);
@@ -63,6 +73,7 @@ class Animation {
 
  private:
   std::string timing() const;
+  void shape(const std::vector<Outline>& outlines, const std::string& element, const std::string& style);
   std::string appearing(double from, double until, double opacity) const;
   std::string path(const std::vector<Moment>& moments) const;
 

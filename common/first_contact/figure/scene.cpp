@@ -194,7 +194,7 @@ void Scene::label(const std::string& text, const Point& at, double right, double
 }
 
 Eigen::AlignedBox2d Scene::extent() const {
-  Eigen::AlignedBox2d all;
+  Eigen::AlignedBox2d all = room_;
   for (const Item& item : items_)
     for (const auto& p : item.points) all.extend(p);
   for (const Text& text : texts_) all.extend(text.at);
@@ -245,7 +245,7 @@ void Scene::add_rows(Table& rows, const Item& item) {
   rows.push_back({from.x(), from.y(), along.x(), along.y()});
 }
 
-void Scene::draw(Figure& figure) const {
+std::string Scene::write(Figure& figure) const {
   write_frame(figure.script());
   write_texts(figure.script());
   const std::vector<const Item*> order = far_to_near();
@@ -257,10 +257,15 @@ void Scene::draw(Figure& figure) const {
     for (; i < order.size() && order[i]->style == style; ++i) add_rows(rows, *order[i]);
     const std::string name = "s" + std::to_string(block++);
     figure.data(name, rows, 5);
-    clauses += clauses.empty() ? "plot $" : ", \\\n $";
+    clauses += clauses.empty() ? "$" : ", \\\n $";
     clauses.append(name).append(" with ").append(style).append(" notitle");
   }
-  figure.script() << clauses << "\n";
+  return clauses;
+}
+
+void Scene::draw(Figure& figure) const {
+  const std::string clauses = write(figure);
+  figure.script() << "plot " << clauses << "\n";
 }
 
 }  // namespace first_contact::figure

@@ -60,10 +60,21 @@ class Scene {
   void label(const std::string& text, const Point& at, double right = 0, double up = 0,
              const Colour& colour = colour::ink, Align align = Align::centre);
 
+  /// Makes room for a point at which nothing is drawn, such as what moves over the picture.
+  void make_room(const Point& p) { room_.extend(project(p)); }
+
   /// The size of a picture of this width that the scene just fills.
   Size size(int width = 720) const;
   /// Writes all of it to the figure's script.
   void draw(Figure& figure) const;
+  /// Writes all but the plot command to the figure's script.
+  /// \return the clauses of that command
+  std::string write(Figure& figure) const;
+
+  /// Where a point is in the picture, in the units of the scene.
+  Eigen::Vector2d project(const Point& p) const { return {p.dot(right_), p.dot(up_)}; }
+  /// All of the picture, in the same units.
+  Eigen::AlignedBox2d extent() const;
 
  private:
   struct Item {
@@ -80,12 +91,10 @@ class Scene {
     Align align;
   };
 
-  Eigen::Vector2d project(const Point& p) const { return {p.dot(right_), p.dot(up_)}; }
   void add(const std::vector<Point>& points, std::string style, int layer, std::optional<double> depth = {});
   void cap(const Sphere& ball, const Vector& pole, double angle, const std::string& style, int layer);
   void fine_mesh(const Mesh& mesh, const Fill& fill, bool closed, int layer);
   std::string fill_style(const Fill& fill, const Vector& normal) const;
-  Eigen::AlignedBox2d extent() const;
   void write_frame(std::ostream& out) const;
   void write_texts(std::ostream& out) const;
   std::vector<const Item*> far_to_near() const;
@@ -93,6 +102,7 @@ class Scene {
 
   Vector eye_, right_, up_, light_;
   double margin_;
+  Eigen::AlignedBox2d room_;
   std::vector<Item> items_;
   std::vector<Text> texts_;
 };

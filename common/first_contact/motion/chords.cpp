@@ -15,6 +15,7 @@ constexpr int most_halvings = 26;
 
 using Look = std::function<Glance(const Chord&)>;
 
+//! [search]
 std::optional<Contact> search(const Bezier& curve, double begin, double end, double allowed,
                               int halvings_left, const Look& look) {
   const double deviation = deviation_of_chord(curve);
@@ -32,6 +33,7 @@ std::optional<Contact> search(const Bezier& curve, double begin, double end, dou
   const auto first = search(curve.part(0, 0.5), begin, middle, allowed, halvings_left - 1, look);
   return first ? first : search(curve.part(0.5, 1), middle, end, allowed, halvings_left - 1, look);
 }
+//! [search]
 
 }  // namespace
 

@@ -40,6 +40,7 @@ Point Played::at(double time) const {
   return product(bend.linear, place) + bend.shift;
 }
 
+//! [turn_aside]
 void Played::turn_aside(const Contact& contact, const After& after) {
   const Bend before = bend();
   const Point here = product(before.linear, tween_.at(contact.time)) + before.shift;
@@ -49,7 +50,9 @@ void Played::turn_aside(const Contact& contact, const After& after) {
   bends_.push_back({product(map, before.linear), here + product(map, from_here)});
   contacts_.push_back(contact);
 }
+//! [turn_aside]
 
+//! [play]
 Played play(const Tween& tween, double radius, const SphereSweep& first_contact_of, double largest_coordinate,
             const After& after, int most_contacts) {
   Played played(tween);
@@ -62,5 +65,6 @@ Played play(const Tween& tween, double radius, const SphereSweep& first_contact_
   }
   return played;
 }
+//! [play]
 
 }  // namespace first_contact

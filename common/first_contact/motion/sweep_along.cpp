@@ -49,6 +49,7 @@ std::optional<Contact> CurveSweep::along_straight(const Moving<Sphere>& chord) c
   return contact;
 }
 
+//! [look_along]
 Glance CurveSweep::look_along(const Chord& chord) const {
   const double radius = std::min(radius_ + chord.deviation, largest_length);
   const Moving<Sphere> grown{{chord.from, radius}, chord.to - chord.from};
@@ -57,6 +58,7 @@ Glance CurveSweep::look_along(const Chord& chord) const {
   const bool clear = !contact && !is_near(grown.shape);
   return {std::move(contact), clear};
 }
+//! [look_along]
 
 std::optional<Contact> CurveSweep::along(const Bezier& curve, double begin, double end) const {
   return first_along(curve, begin, end, allowed_, [this](const Chord& chord) { return look_along(chord); });

@@ -21,12 +21,14 @@ std::vector<double> knot_spans(std::span<const Point> points, Knots knots) {
   return spans;
 }
 
+//! [velocity_between]
 // The velocity, a unit of the knots, in the middle of three points of the parabola through them.
 Vector velocity_between(const Vector& before, double span_before, const Vector& after, double span_after) {
   if (span_before == 0 || span_after == 0) return Vector::Zero();
   const double share = span_after / (span_before + span_after);
   return share / span_before * before + (1 - share) / span_after * after;
 }
+//! [velocity_between]
 
 std::vector<Vector> velocities(std::span<const Point> points, const std::vector<double>& spans) {
   std::vector<Vector> all;

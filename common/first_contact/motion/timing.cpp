@@ -32,6 +32,7 @@ std::vector<OneWay> Timing::ways(const Interval& clock) const {
   return all;
 }
 
+//! [time_of]
 double Timing::time_of(double part, const OneWay& way) const {
   const bool rises = way.from_part < way.to_part;
   const auto has_come = [&](double time) { return rises ? part_at(time) >= part : part_at(time) <= part; };
@@ -44,5 +45,6 @@ double Timing::time_of(double part, const OneWay& way) const {
   }
   return part_at(after) == part ? after : before;
 }
+//! [time_of]
 
 }  // namespace first_contact

@@ -13,6 +13,7 @@ Surface::Surface(double e, double mu) : restitution(e), friction(mu) {
   if (!(mu >= 0) || !std::isfinite(mu)) refuse("friction", mu, "must be finite and not negative");
 }
 
+//! [rebound]
 Eigen::Matrix3d rebound(const Vector& motion, const Vector& normal, const Surface& surface) {
   require_finite(motion, "motion");
   const Vector way = normalized(motion);
@@ -23,5 +24,6 @@ Eigen::Matrix3d rebound(const Vector& motion, const Vector& normal, const Surfac
   const Eigen::Matrix3d across = normal * normal.transpose();
   return left * (Eigen::Matrix3d::Identity() - across) - surface.restitution * across;
 }
+//! [rebound]
 
 }  // namespace first_contact

@@ -1,0 +1,16 @@
+#pragma once
+#include <span>
+#include <string_view>
+
+namespace tween_bounce {
+
+/// A film that is built in.
+struct BuiltIn {
+  std::string_view name;
+  std::string_view text;  ///< as a file would have it
+};
+
+/// All of them.
+std::span<const BuiltIn> scenes();
+
+}  // namespace tween_bounce
