@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "catch.hpp"
+#include "places.hpp"
 #include "run_program.hpp"
 
 using nlohmann::json;
@@ -206,6 +207,38 @@ TEST_CASE("A film bounces off a mesh that lies beside it, whatever folder one is
   const json contacts = json::parse(run.out)["contacts"];
   REQUIRE(contacts.size() == 1);
   CHECK(contacts[0]["time"] == Approx(std::sqrt(2.0)).margin(1e-8));
+}
+
+// Changes one thing in the film of the chapter's recipe, as it says there.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text =
+      content_of(fs::path(first_contact::places::source) / "chapters/07_tween_bounce/film/ball.json");
+  REQUIRE(text.find(from) != std::string::npos);
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST_CASE(
+    "The recipe for a ball of one's own can be played as it stands, and with each change that it names") {
+  const std::string first = R"("place": [0, 0, 4])", last = R"("place": [6, 0, -2]})",
+                    floor = R"({"plane": [0, 0, 1, 0]})";
+  const std::vector<std::string> films{
+      changed(first, first),
+      changed(first, first + R"(, "easing": "in quadratic")"),
+      changed(first, first + R"(, "path": {"kind": "bezier", "points": [[3, 0, 5]]})"),
+      changed(last, last + R"(, {"time": 3, "place": [9, 0, 0.5]})"),
+      changed(R"("ball":)", R"("through": "centripetal", "ball":)"),
+      changed(floor, floor + R"(, {"plane": [-1, 0, 0, 5]})"),
+      changed(floor, floor + R"(, {"box": {"sides": [1, 2, 1], "centre": [4, 0, 0.5]}})"),
+      changed(last, R"("place": [6, 0, -2], "turn": {"axis": [0, 1, 0], "degrees": 150}})"),
+      changed(last, R"("place": [6, 0, -2], "scale": 0.6})"),
+      changed(R"("ball":)", R"("view": {"tilt": 60, "turn": 30}, "ball":)")};
+  for (const std::string& film : films) {
+    const TemporaryFolder folder;
+    const Run run = run_film(folder, film, {"--json", "--no-figures"});
+    CAPTURE(film, run.err);
+    CHECK(run.status == 0);
+    CHECK_FALSE(json::parse(run.out)["contacts"].empty());
+  }
 }
 
 TEST_CASE("The report of a film speaks the language that is asked for") {
