@@ -8,6 +8,7 @@ namespace first_contact {
 /// A file that cannot be read or written. The message names the file and the reason.
 class FileError : public std::runtime_error {
  public:
+  /// \param rule  what the file must be, or why it is not that
   FileError(const std::filesystem::path& file, const std::string& rule)
       : std::runtime_error(file.string() + ": " + rule) {}
 };

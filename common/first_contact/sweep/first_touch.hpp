@@ -35,10 +35,10 @@ struct FaceAt {
 /// has to be asked face by face.
 enum class Lead { away, nearer, in_doubt };
 
-/// Where they lead, and, if all lead away, the lowest of their numbers.
+/// What the faces around a touched edge or vertex say of it.
 struct FacesAround {
-  Lead lead;
-  std::uint32_t lowest;
+  Lead lead;             ///< where they lead
+  std::uint32_t lowest;  ///< if all lead away, the lowest of their numbers
 };
 
 /// A search for the first touch of one sphere among the features of a surface, in whatever order they come.
