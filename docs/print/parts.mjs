@@ -11,6 +11,7 @@ const back = otherPages.filter(({front, letter, isLibrary, isWorkbook}) =>
 export const answers = {id: 'answers', title: 'Answers'}, index = {id: 'terms', title: 'Index'};
 export const parts = [
   {...page('reading'), onRight: true},
+  page('primer'),
   ...chapters.map((chapter) => ({...chapter, onRight: true})),
   ...appendices.map((part) => ({...part, onRight: true})),
   {...page('library'), onRight: true}, ...library.map((part) => ({...part, under: 'library'})),

@@ -43,6 +43,7 @@ export const libraryRoot = join(root, 'common/first_contact');
 export const otherPages = [
   {id: 'index', title: 'First Contact', front: true},
   {id: 'reading', title: 'How to read this', front: true},
+  {id: 'primer', title: 'A primer', front: true},
   {id: 'fast-tree', letter: 'A', title: 'Appendix A · How the fast tree works', short: 'How the fast tree works', needs: [3, 4]},
   {id: 'crowds', letter: 'B', title: 'Appendix B · A hundred thousand balls', short: 'A hundred thousand balls', needs: [3, 6]},
   {id: 'library', title: 'The library, file by file', isLibrary: true},

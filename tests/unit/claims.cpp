@@ -1,9 +1,12 @@
 // What the essays claim of rounding and of costs, and show by a measurement of their own.
+#include "04_general_sphere/plain_face.hpp"
 #include "04_general_sphere/seam.hpp"
 #include "06_moving_spheres/nearly_touching.hpp"
 #include "catch.hpp"
 #include "first_contact/program/counted.hpp"
+#include "first_contact/program/random.hpp"
 #include "first_contact/sweep/contact_times.hpp"
+#include "first_contact/sweep/moved_out.hpp"
 
 using namespace first_contact;
 using program::Counted;
@@ -14,6 +17,32 @@ TEST_CASE("At a flat seam no point slips between two faces, but balls do, and th
   const auto balls = general_sphere_chapter::shots_at_a_seam(1);
   CHECK(balls.both_faces_missed > balls.balls / 100);
   CHECK(balls.missed == 0);
+}
+
+TEST_CASE("The face as one writes it first agrees with the library's where triangles are ordinary") {
+  std::mt19937 random(7);
+  using program::unit_vector;
+  int hits = 0;
+  for (int i = 0; i < 20000; ++i) {
+    CAPTURE(i);
+    const Triangle triangle{unit_vector(random), unit_vector(random), unit_vector(random)};
+    const Point start = 3 * unit_vector(random), target = unit_vector(random);
+    const Moving<Sphere> ball{{start, 0.4}, 1.5 * (target - start)};
+    const auto plain = general_sphere_chapter::plain_face(ball, triangle);
+    if (!plain) continue;
+    ++hits;
+    const auto touch = touch_face(ball, Facet(triangle));
+    REQUIRE(touch);
+    CHECK(touch->time == Approx(*plain).margin(1e-9));
+  }
+  CHECK(hits > 100);
+}
+
+TEST_CASE("The face as one writes it first is not there for a ball from behind, and is for the library's") {
+  const Triangle triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  const Moving<Sphere> from_behind{{{0, 0, -3}, 0.5}, {0, 0, 4}};
+  CHECK_FALSE(general_sphere_chapter::plain_face(from_behind, triangle));
+  CHECK(touch_face(from_behind, Facet(triangle))->time == Approx(2.5 / 4));
 }
 
 TEST_CASE(

@@ -25,5 +25,6 @@ void draw_landings(const first_contact::figure::Studio& studio);
 /// The paper's vertices with one common sign for the three axes, and all eight: stopped where the lowest of
 /// them touches.
 void draw_signs(const first_contact::program::Program& program);
-/// What a camera sees: the frustum, boxes that are kept (green, or amber if out of view) and rejected (grey).
+/// What a camera sees: the frustum, boxes that are kept (green, or amber if out of view) and rejected (grey);
+/// and the same from above.
 void draw_frustum(const first_contact::figure::Studio& studio);

@@ -6,10 +6,12 @@ using namespace first_contact;
 using namespace first_contact::figure;
 namespace colour = first_contact::figure::colour;
 
-void draw_frustum(const Studio& studio) {
+namespace {
+
+void draw_seen_from(const View& view, const char* name, const Studio& studio) {
   const Transform back = box_chapter::camera().inverse();
   const auto corner = [&](double x, double y, double z) { return back.point({x, y, z}); };
-  figure::Scene scene({42, -12}, 0.03);
+  figure::Scene scene(view, 0.03);
   const std::array<Eigen::Vector2d, 4> around{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   std::vector<Point> near, far;
   for (const auto& p : around) {
@@ -31,7 +33,14 @@ void draw_frustum(const Studio& studio) {
   scene.polygon(near, {colour::sky, 0.18, false, edge}, 1);
   for (const std::size_t i : {2U, 3U}) scene.line({near[i], far[i]}, edge, 1);
   scene.dot({0, 0, 0});
-  Figure figure(studio, "frustum", scene.size());
+  Figure figure(studio, name, scene.size());
   scene.draw(figure);
   figure.draw();
+}
+
+}  // namespace
+
+void draw_frustum(const Studio& studio) {
+  draw_seen_from({42, -12}, "frustum", studio);
+  draw_seen_from({0, 0}, "frustum-above", studio);
 }

@@ -5,6 +5,7 @@ using namespace first_contact;
 void draw_partitioning_figures(const program::Program& program, std::uint64_t seed) {
   draw_octree(program.studio());
   draw_bsp(program.studio());
+  draw_slabs(program);
   draw_same_side(program.studio());
   draw_grown_planes(program.studio());
   draw_hit_tests(program.studio());

@@ -10,6 +10,8 @@ void draw_partitioning_figures(const first_contact::program::Program& program, s
 void draw_octree(const first_contact::figure::Studio& studio);
 /// Walls seen from above, the parts of space that a BSP tree makes of them, and the tree.
 void draw_bsp(const first_contact::figure::Studio& studio);
+/// A box whose sides are moved out, and the part of a path that is between all of them.
+void draw_slabs(const first_contact::program::Program& program);
 /// Motions before, behind and across a plane.
 void draw_same_side(const first_contact::figure::Studio& studio);
 /// Planes grown by r stick out at a sharp edge.

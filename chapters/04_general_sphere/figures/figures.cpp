@@ -9,6 +9,7 @@ void draw_general_sphere_figures(const program::Program& program, const Environm
   draw_face_first(studio);
   draw_valley(studio);
   draw_jar(studio);
+  draw_lowest_point(program);
   draw_printed_cylinder(program);
   draw_order(program);
   draw_minkowski_sum(studio);

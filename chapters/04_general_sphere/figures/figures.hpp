@@ -19,6 +19,8 @@ void draw_face_first(const first_contact::figure::Studio& studio);
 void draw_valley(const first_contact::figure::Studio& studio);
 /// Figure 9: the vertex A, where the bottom of a jar begins to rise, has its ball within the moved-out jar.
 void draw_jar(const first_contact::figure::Studio& studio);
+/// The face as it is seen along the motion of the lowest point: within it, and beside it.
+void draw_lowest_point(const first_contact::program::Program& program);
 /// As printed, the cylinder's axis is moved out as well, and the ball stops in the air.
 void draw_printed_cylinder(const first_contact::program::Program& program);
 /// The paper's order, taken literally: the floor comes first in the list, and the ball is let through the

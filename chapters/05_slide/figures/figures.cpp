@@ -8,6 +8,7 @@ void draw_slide_figures(const program::Program& program, const Environment& envi
   draw_half_sunk(program);
   draw_room(program.studio(), "crease", crease, into_crease);
   draw_room(program.studio(), "corner", corner, into_corner);
+  draw_wedge(program);
   draw_jitter(program);
   draw_gap(program);
   draw_bunny(program.studio());

@@ -18,6 +18,8 @@ void draw_half_sunk(const first_contact::program::Program& program);
 /// A ball in a room: after the first wall alone it would end beyond the second, at P3; the loop ends at P.
 void draw_room(const first_contact::figure::Studio& studio, const char* name,
                const std::vector<Rectangle>& room, const first_contact::Moving<first_contact::Sphere>& ball);
+/// The motions that lead into neither of two walls, and the nearest of them to one that does.
+void draw_wedge(const first_contact::program::Program& program);
 /// At a shallow angle a gap that is laid back along the path is next to none; along the normal it is what it
 /// is.
 void draw_gap(const first_contact::program::Program& program);

@@ -38,7 +38,6 @@ struct Way {
   Vector along;
   Vector away;
 };
-//! [slide_walls]
 
 // The shortest motion away from two walls, by the lift of each.
 Vector away_from(const Wall& a, const Wall& b) {
@@ -63,6 +62,7 @@ class Walls {
   double gap_;
   std::vector<Wall> here_, before_;
 };
+//! [slide_walls]
 
 // The sphere is at a new place, clear of the walls along which it came.
 void Walls::move_on() {

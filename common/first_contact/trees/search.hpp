@@ -37,6 +37,7 @@ struct Sides {
   bool both() const { return !front.empty() && !back.empty(); }
 };
 
+//! [search]
 /// A question, asked of a tree. Each kind of question says which boxes and sides it reaches, and when an
 /// object is hit.
 class Search {
@@ -71,6 +72,7 @@ class Search {
   std::vector<std::size_t> found_;
   Statistics statistics_;
 };
+//! [search]
 
 /// A structure that finds objects, numbered from 0: an octree, a BSP tree, or none at all.
 template <class Tree>
