@@ -1,8 +1,9 @@
 // All checks of the notes, each in a file of its own under docs/checks. Exit status 1 and a line for each fault.
-//   node docs/check.mjs [twice|essays|code|paper|links|browser|touch|print ...]     without a name: all of them but print
+//   node docs/check.mjs [twice|essays|code|paper|links|editions|browser|touch|print ...]     without a name: all but print
 // `twice` builds the book; the others look at what was built, `print` at what ./course notes --pdf has made.
 import {checkBrowser} from './checks/browser.mjs';
 import {checkCode} from './checks/code.mjs';
+import {checkEditions} from './checks/editions.mjs';
 import {checkEssays} from './checks/essays.mjs';
 import {checkLinks} from './checks/links.mjs';
 import {checkPaper} from './checks/paper.mjs';
@@ -12,7 +13,7 @@ import {checkTwice} from './checks/twice.mjs';
 import {complaints, stopIfWrong} from './tools/book.mjs';
 
 const all = {twice: checkTwice, essays: checkEssays, code: checkCode, paper: checkPaper, links: checkLinks,
-             browser: checkBrowser, touch: checkTouch, print: checkPrint};
+             editions: checkEditions, browser: checkBrowser, touch: checkTouch, print: checkPrint};
 const wanted = process.argv.slice(2);
 for (const name of wanted)
   if (!all[name]) {

@@ -31,8 +31,9 @@ function checkLink(file, [element, attribute, target], pages) {
   else if (anchor && pages.has(to) && !pages.get(to).targets.has(decodeURIComponent(anchor))) complain(name, `no such anchor: ${target}`);
 }
 
-export function checkLinks() {
-  const pages = new Map(filesBelow(html, isOurs).map((file) => [file, seen(file)]));
+/// Checks the site in that folder.
+export function checkLinksIn(folder) {
+  const pages = new Map(filesBelow(folder, isOurs).map((file) => [file, seen(file)]));
   let links = 0;
   for (const [file, page] of pages) {
     const name = basename(file);
@@ -42,7 +43,9 @@ export function checkLinks() {
     if (page.hasToken) complain(name, 'a token was left in the page');
     links += page.links.length;
   }
-  for (const file of filesBelow(html, (name) => name.endsWith('.svg')))
+  for (const file of filesBelow(folder, (name) => name.endsWith('.svg')))
     for (const target of unresolvedIn(treeOf(read(file)))) complain(basename(file), `no such drawing: #${target}`);
   return `${links} links on ${pages.size} pages`;
 }
+
+export const checkLinks = () => checkLinksIn(html);

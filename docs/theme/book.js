@@ -13,16 +13,18 @@
   show();
   system.addEventListener('change', show);
 
+  const words = JSON.parse(document.getElementById('words').textContent);  // stands before this script
+
   const copyButton = (listing) => {
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'copy';
-    button.textContent = 'Copy';
-    button.title = 'Copy this listing';
+    button.textContent = words.copy;
+    button.title = words['copy this'];
     button.addEventListener('click', () => {
       const lines = [...listing.querySelectorAll('.line')].map((line) => line.textContent.replace(/\u00a0/g, ' '));
       navigator.clipboard?.writeText(lines.length ? lines.join('\n') : listing.textContent)
-          .then(() => { button.textContent = 'Copied'; setTimeout(() => { button.textContent = 'Copy'; }, 1500); });
+          .then(() => { button.textContent = words.copied; setTimeout(() => { button.textContent = words.copy; }, 1500); });
     });
     const frame = document.createElement('div');
     frame.className = 'with-copy';
@@ -34,12 +36,12 @@
     const button = document.createElement('button');
     button.type = 'button';
     button.className = 'pause';
-    button.title = 'Pause or play the moving picture';
-    button.textContent = 'Pause';
+    button.title = words['pause or play'];
+    button.textContent = words.pause;
     button.addEventListener('click', () => {
       const resume = picture.animationsPaused();
       resume ? picture.unpauseAnimations() : picture.pauseAnimations();
-      button.textContent = resume ? 'Pause' : 'Play';  // the picture it belongs to follows it
+      button.textContent = resume ? words.pause : words.play;  // the picture it belongs to follows it
     });
     picture.before(button);
   };

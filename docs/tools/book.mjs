@@ -5,12 +5,23 @@ import {fileURLToPath} from 'node:url';
 
 export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 export const docs = join(root, 'docs');
-export const build = join(root, 'build/notes');
+export const read = (...parts) => readFileSync(join(...parts), 'utf8');
+export const data = (name) => JSON.parse(read(docs, name));
+
+/// The language of the edition: node docs/build.mjs --lang zh-TW
+const strings = data('strings.json'), atLanguage = process.argv.indexOf('--lang');
+export const language = atLanguage < 0 ? 'en' : process.argv[atLanguage + 1] ?? '';
+if (!strings[language]) {
+  console.error(`notes: --lang ${language}: must be one of ${Object.keys(strings).join(', ')}`);
+  process.exit(2);
+}
+export const isOriginal = language === 'en';
+
+const original = join(root, 'build/notes');
+export const build = isOriginal ? original : join(original, language);
 export const html = join(build, 'html');
 export const binaries = join(root, 'build/dev/bin');
 
-export const read = (...parts) => readFileSync(join(...parts), 'utf8');
-export const data = (name) => JSON.parse(read(docs, name));
 export const fromRoot = (file) => relative(root, file);
 
 /// All files below a folder that pass, sorted, so that every build sees them in one order.
@@ -23,8 +34,22 @@ export function filesBelow(folder, passes = () => true) {
   });
 }
 
-export const chapters = data('chapters.json').map((chapter) => ({
+// A page as this edition has it: `original` is its English source, `source` the one that is read. One that is not
+// translated is there in English alone: `page` leads to that.
+function edition(page) {
+  const {titles, short} = strings[language];
+  const own = {...page, original: page.source, title: titles[page.id] ?? page.title, short: short[page.id] ?? page.short};
+  if (isOriginal) return {...own, isHere: true};
+  const source = page.source.replace(/\.md$/, `.${language}.md`), isHere = existsSync(source);
+  return {...own, isHere, source: isHere ? source : page.source, page: isHere ? page.page : pageInEnglish(page.page)};
+}
+
+/// Where an English page is, as seen from this edition.
+export const pageInEnglish = (page) => isOriginal ? page : '../../html/' + page;
+
+export const chapters = data('chapters.json').map((chapter) => edition({
   ...chapter,
+  ...(isOriginal ? {} : {title: chapter.chinese, chinese: chapter.title, question: chapter.chineseQuestion}),
   id: chapter.program,
   source: join(root, 'chapters', chapter.folder, chapter.program + '.md'),
   page: chapter.program.replaceAll('_', '-') + '.html',
@@ -68,7 +93,7 @@ export const otherPages = [
   {id: 'glossary', title: 'Glossary 詞彙'},
   {id: 'symbols', title: 'Symbols'},
   {id: 'bibliography', title: 'Bibliography'},
-].map((page) => ({source: join(docs, 'pages', page.id + '.md'), page: page.id + '.html', ...page}));
+].map((page) => edition({source: join(docs, 'pages', page.id + '.md'), page: page.id + '.html', ...page}));
 
 /// What may be left out: pages like chapters, without exercises.
 export const appendices = otherPages.filter(({letter}) => letter);
@@ -81,6 +106,9 @@ export const complaints = [];
 export function complain(where, what) {
   complaints.push(`${where}: ${what}`);
 }
+
+/// The figure of that path from the root, as this edition has it: in another language it is drawn anew.
+export const figureFile = (path) => join(isOriginal ? root : build, path);
 
 /// Prints what was found wrong and ends the program if there was anything.
 export function stopIfWrong(doing) {
@@ -101,5 +129,5 @@ export function shownByBuild() {
 }
 
 for (const chapter of chapters)
-  for (const field of ['number', 'folder', 'program', 'title', 'chinese', 'needs', 'paper', 'question'])
+  for (const field of ['number', 'folder', 'program', 'title', 'chinese', 'needs', 'paper', 'question', 'chineseQuestion'])
     if (chapter[field] === undefined) complain('docs/chapters.json', `the chapter "${chapter.title}" has no "${field}"`);

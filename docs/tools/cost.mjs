@@ -3,6 +3,7 @@
 import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {read, root} from './book.mjs';
+import {counted} from './words.mjs';
 
 const kinds = {
   'dot product': /\b(?:dot|squared_norm|squaredNorm|signed_distance)\(/g,
@@ -11,7 +12,6 @@ const kinds = {
   division: / \/=? /g,
   root: /\b(?:sqrt|norm|normalized|stableNorm)\(/g,
 };
-const words = ['no', 'one', 'two', 'three', 'four', 'five', 'six', 'seven', 'eight', 'nine', 'ten', 'eleven', 'twelve'];
 
 /// The code between the two lines of its tag, without comments and texts.
 export function codeOf(file, tag) {
@@ -33,5 +33,5 @@ export function cost(body) {
   const count = listings.split(/,\s*/).map((listing) => part(codeOf(...listing.trim().split(/\s+/))).match(kinds[kind])?.length ?? 0)
       .reduce((sum, each) => sum + each, 0);
   if (count === 0 && kind !== 'root') throw new Error(`cost ${body}: there is none`);
-  return `${words[count] ?? count} ${kind}${count === 1 || count === 0 && kind === 'root' ? '' : 's'}`;
+  return counted(count, kind);
 }

@@ -1,8 +1,7 @@
 // A committed figure becomes a part of its page: it then follows the page's theme and needs no file of its own.
 import {existsSync} from 'node:fs';
-import {join} from 'node:path';
 import {optimize} from 'svgo';
-import {read, root} from './book.mjs';
+import {figureFile, read} from './book.mjs';
 import {unresolvedIn} from './references.mjs';
 import {treeOf} from './tree.mjs';
 
@@ -47,7 +46,7 @@ function checkMarks(path, before, after) {
 
 /// The figure of that path (from the root) as inline SVG with its alternative text.
 export function inlineFigure(path, prefix, alternative) {
-  const file = join(root, path);
+  const file = figureFile(path);
   if (!existsSync(file)) throw new Error(`there is no figure ${path}`);
   const source = read(file);
   let svg = cleaned(source, alternative);

@@ -8,6 +8,7 @@ import {formulaStyle, shareGlyphs} from './formula.mjs';
 import {contents} from './generated.mjs';
 import {buildTouch, colourVariables, touchLinks} from './touch.mjs';
 import {treeOf} from './tree.mjs';
+import {say} from './words.mjs';
 import {tokens} from './weave.mjs';
 
 const ours = new Map([...chapters, ...otherPages].map((page) => [page.id.replaceAll('_', '-'), page]));
@@ -34,7 +35,7 @@ function lowerHeadings(tree) {
 
 function setTitle(tree) {
   if (!tree('div.title').length)  // Doxygen's lists of names have none
-    tree('div.contents').first().before('<div class="header"><div class="title">All names</div></div>');
+    tree('div.contents').first().before(`<div class="header"><div class="title">${say('all names')}</div></div>`);
   const title = tree('div.title').first();
   title.replaceWith(`<h1 class="title">${title.html().trim()}</h1>`);
 }
@@ -58,8 +59,8 @@ function mend(tree) {
   const isShort = (_, listing) => tree(listing).find('.line').length < 18;
   tree('div.fragment').filter(isShort).addClass('short');  // on paper in one piece
   for (const attribute of ['cellspacing', 'cellpadding', 'border', 'frameborder']) tree(`[${attribute}]`).removeAttr(attribute);
-  tree('#MSearchField').attr('aria-label', 'Search titles and names');
-  tree('iframe').attr('title', 'Search results');
+  tree('#MSearchField').attr('aria-label', say('search'));
+  tree('iframe').attr('title', say('search results'));
 }
 
 const sectionsOf = (tree) =>

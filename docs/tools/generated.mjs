@@ -1,30 +1,34 @@
 // What is made from data: the head and foot of a chapter, the contents, the map of chapters.
-import {appendices, chapters, escape, otherPages} from './book.mjs';
+import {appendices, chapters, escape, isOriginal, language, otherPages, pageInEnglish} from './book.mjs';
 import {minutesOf} from './minutes.mjs';
+import {say} from './words.mjs';
+
+const otherLanguage = isOriginal ? 'zh-Hant' : 'en';
 
 const numbered = (number) => chapters.find((chapter) => chapter.number === number);
 const linkTo = (chapter) => `<a href="${chapter.page}">${chapter.number} · ${escape(chapter.title)}</a>`;
 
-const needsOf = ({needs}) => needs.length ? needs.map((n) => linkTo(numbered(n))).join(', ') : 'nothing';
+const needsOf = ({needs}) => needs.length ? needs.map((n) => linkTo(numbered(n))).join(', ') : say('nothing');
 const table = (facts) => `<dl>${facts.map(([name, fact]) => `<div><dt>${name}</dt><dd>${fact}</dd></div>`).join('')}</dl>`;
 
 /// The same head for each chapter: minutes, what it builds on, the paper's section, how to run it.
 export function chapterHead(chapter) {
-  const paper = chapter.paper.map((section) => `<a href="papermap.html#s${section}">§${section}</a>`).join(', ');
-  const facts = [['Reading time', `${minutesOf(chapter)} minutes`], ['Builds on', needsOf(chapter)], ['In the paper', paper],
-                 ['Program', `<code>./course run ${chapter.program}</code>`]];
-  return `<div class="chapter-head"><p class="chinese" lang="zh-Hant">${chapter.chinese}</p>${table(facts)}</div>`;
+  const paper = chapter.paper.map((section) => `<a href="${pageInEnglish('papermap.html')}#s${section}">§${section}</a>`).join(', ');
+  const facts = [[say('reading time'), say('minutes', minutesOf(chapter))], [say('builds on'), needsOf(chapter)],
+                 [say('in the paper'), paper],
+                 [say('program'), `<code>./course run ${chapter.program}${isOriginal ? '' : ` --lang ${language}`}</code>`]];
+  return `<div class="chapter-head"><p class="chinese" lang="${otherLanguage}">${chapter.chinese}</p>${table(facts)}</div>`;
 }
 
 /// The head of an appendix.
 export const appendixHead = (page) =>
-  `<div class="chapter-head">${table([['Reading time', `${minutesOf(page)} minutes`], ['Builds on', needsOf(page)]])}</div>`;
+  `<div class="chapter-head">${table([[say('reading time'), say('minutes', minutesOf(page))], [say('builds on'), needsOf(page)]])}</div>`;
 
 // Previous and next.
 function turn(previous, next) {
   const label = (page) => (page.number ? `${page.number} · ` : '') + escape(page.title);
-  return `<nav class="turn" aria-label="Previous and next page"><a rel="prev" href="${previous.page}"><small>Previous</small>${label(previous)}</a>` +
-         `<a rel="next" href="${next.page}"><small>Next</small>${label(next)}</a></nav>`;
+  return `<nav class="turn" aria-label="${say('turn')}"><a rel="prev" href="${previous.page}"><small>${say('previous')}</small>${label(previous)}</a>` +
+         `<a rel="next" href="${next.page}"><small>${say('next')}</small>${label(next)}</a></nav>`;
 }
 
 const errata = otherPages.find(({id}) => id === 'errata'), reading = otherPages.find(({id}) => id === 'reading');
@@ -56,13 +60,13 @@ export function contents(current, sections) {
   const isReference = ({front, letter, isLibrary, isWorkbook}) => !front && !letter && !isLibrary && !isWorkbook;
   const lettered = ({letter, short}) => `<span class="number">${letter}</span> ${escape(short)}`;
   return list(otherPages.filter((page) => page.front), title) +
-         '<h2>Chapters</h2>' + list(chapters, (chapter) => `<span class="number">${chapter.number}</span> ${title(chapter)}`) +
-         '<h2>Appendices</h2>' + list(appendices, lettered) +
-         '<h2>Your turn</h2>' + list([otherPages.find(({id}) => id === 'workbook')], title) +
-         '<h2>The library</h2>' + list([otherPages.find(({id}) => id === 'library'),
-                                       {page: 'namespacefirst__contact.html', title: 'All names'}],
-                                      (page) => page.id ? 'File by file' : title(page)) +
-         '<h2>Reference</h2>' + list(otherPages.filter(isReference), title);
+         `<h2>${say('chapters')}</h2>` + list(chapters, (chapter) => `<span class="number">${chapter.number}</span> ${title(chapter)}`) +
+         `<h2>${say('appendices')}</h2>` + list(appendices, lettered) +
+         `<h2>${say('your turn')}</h2>` + list([otherPages.find(({id}) => id === 'workbook')], title) +
+         `<h2>${say('the library')}</h2>` + list([otherPages.find(({id}) => id === 'library'),
+                                       {page: pageInEnglish('namespacefirst__contact.html'), title: say('all names')}],
+                                      (page) => page.id ? say('file by file') : title(page)) +
+         `<h2>${say('reference')}</h2>` + list(otherPages.filter(isReference), title);
 }
 
 // --- the map of chapters ------------------------------------------------------------------------------------------
@@ -79,16 +83,24 @@ function rowsOf() {
   return rows;
 }
 
+// As near to where they want to be as they can without touching: pushed apart to the right, and all moved back by what
+// that took on average.
+function apart(wanted, least, most) {
+  const xs = [];
+  for (const x of wanted) xs.push(Math.max(x, (xs.at(-1) ?? -Infinity) + least));
+  const back = xs.reduce((sum, x, i) => sum + x - wanted[i], 0) / xs.length;
+  return xs.map((x, i) => Math.min(Math.max(x - back, i * least), most - (xs.length - 1 - i) * least));
+}
+
 function placed(width, card, gap) {
   const places = new Map();
   rowsOf().forEach((row, level) => {
     const wanted = row.map((chapter) => chapter.needs.length && level > 1
       ? chapter.needs.reduce((sum, n) => sum + places.get(n).x, 0) / chapter.needs.length : undefined);
     const step = (width - card.width) / Math.max(1, row.length - 1);
-    row.forEach((chapter, i) => {
-      const even = row.length === 1 ? (width - card.width) / 2 : i * step;
-      places.set(chapter.number, {chapter, x: wanted[i] ?? even, y: level * (card.height + gap)});
-    });
+    const even = (i) => row.length === 1 ? (width - card.width) / 2 : i * step;
+    const xs = apart(row.map((_, i) => wanted[i] ?? even(i)), card.width + card.apart, width - card.width);
+    row.forEach((chapter, i) => places.set(chapter.number, {chapter, x: xs[i], y: level * (card.height + gap)}));
   });
   return places;
 }
@@ -118,23 +130,23 @@ function drawMap(name, width, card, gap) {
     cards.push(`<a href="${chapter.page}"><rect x="${x}" y="${y}" width="${card.width}" height="${card.height}" rx="7"/>` +
       `<text class="number" x="${middle}" y="${y + card.number}" font-size="${card.number * 0.8}">${chapter.number}</text>` +
       lines.map((line, i) => `<text x="${middle}" y="${first + i * card.line * 1.2}" font-size="${card.line}">${escape(line)}</text>`).join('') +
-      (card.chinese ? `<text class="chinese" lang="zh-Hant" x="${middle}" y="${y + card.height - 12}" font-size="13">${chapter.chinese}</text>` : '') +
+      (card.chinese ? `<text class="chinese" lang="${otherLanguage}" x="${middle}" y="${y + card.height - 12}" font-size="13">${chapter.chinese}</text>` : '') +
       '</a>');
   }
-  return `<svg class="map ${name}" viewBox="-1 -1 ${width + 2} ${height + 2}" role="group" aria-label="Which chapter builds on which">` +
+  return `<svg class="map ${name}" viewBox="-1 -1 ${width + 2} ${height + 2}" role="group" aria-label="${say('map')}">` +
          `<g class="edges" aria-hidden="true">${edges.join('')}</g>${cards.join('')}</svg>`;
 }
 
 /// The map, once for wide pages and once for narrow ones.
 export const chapterMap = () => '<div class="chapter-map">' +
-  drawMap('wide', 760, {width: 172, height: 92, number: 28, line: 17, letters: 18, chinese: true}, 54) +
-  drawMap('narrow', 360, {width: 84, height: 78, number: 24, line: 12, letters: 12}, 34) + '</div>';
+  drawMap('wide', 760, {width: 172, apart: 24, height: 92, number: 28, line: 17, letters: 18, chinese: true}, 54) +
+  drawMap('narrow', 360, {width: 84, apart: 10, height: 78, number: 24, line: 12, letters: 12}, 34) + '</div>';
 
 /// Every chapter in a line: number, title, question, minutes.
 export const chapterList = () => '<ol class="chapters">' + chapters.map((chapter) =>
   `<li><a href="${chapter.page}"><span class="number">${chapter.number}</span><span class="title">${escape(chapter.title)}` +
-  ` <span class="chinese" lang="zh-Hant">${chapter.chinese}</span></span></a>` +
-  `<p>${escape(chapter.question)} <small>${minutesOf(chapter)} minutes · paper ${chapter.paper.map((s) => '§' + s).join(', ')}</small></p></li>`).join('') + '</ol>';
+  ` <span class="chinese" lang="${otherLanguage}">${chapter.chinese}</span></span></a>` +
+  `<p>${escape(chapter.question)} <small>${say('minutes', minutesOf(chapter))} · ${say('paper')} ${chapter.paper.map((s) => '§' + s).join(', ')}</small></p></li>`).join('') + '</ol>';
 
 /// The exercises, chapter by chapter.
 export const exerciseList = () => '<dl class="exercises">' + chapters.map((chapter) => {

@@ -12,9 +12,9 @@ function linesOf(text) {
 }
 
 /// To the nearest five minutes.
-export function minutesOf({source}) {
-  if (!existsSync(source)) return 0;
-  const text = read(source), prose = notRead.reduce((rest, part) => rest.replace(part, ''), text);
+export function minutesOf({original}) {
+  if (!existsSync(original)) return 0;
+  const text = read(original), prose = notRead.reduce((rest, part) => rest.replace(part, ''), text);
   const words = prose.match(/[\p{L}\d]+/gu).length, formulas = text.match(/^\$\$/gm)?.length ?? 0;
   return 5 * Math.max(1, Math.round((words / wordsAMinute + linesOf(text) / linesAMinute + formulas / formulasAMinute) / 5));
 }

@@ -15,9 +15,9 @@ function run(program, name, options) {
   runs.set(name, {...JSON.parse(results), ...JSON.parse(read(file))});
 }
 
-/// Runs every program that has been built, with its defaults.
-export function runPrograms() {
-  for (const {program} of chapters)
+/// Runs the programs of these chapters, with their defaults, if they have been built.
+export function runPrograms(wanted = chapters) {
+  for (const {program} of wanted)
     if (existsSync(join(binaries, program))) run(program, program, []);
 }
 

@@ -3,7 +3,9 @@
 // HTML, travels through Doxygen as a token, and is put in its place later.
 import {existsSync} from 'node:fs';
 import {basename, dirname, join, resolve} from 'node:path';
-import {chapters, complain, data, docs, escape, fromRoot, otherPages, read, root} from './book.mjs';
+import {
+  chapters, complain, data, docs, escape, figureFile, fromRoot, isOriginal, language, otherPages, pageInEnglish, read, root,
+} from './book.mjs';
 import {cost} from './cost.mjs';
 import {inlineFigure} from './figure.mjs';
 import {formula} from './formula.mjs';
@@ -11,7 +13,9 @@ import {checkPage, filesOf, whereTold} from './library.mjs';
 import {markdown} from './markdown.mjs';
 import {typedNumbers} from './typed.mjs';
 import {canTouch} from './touch.mjs';
+import {asPage} from './translation.mjs';
 import {formatted, runNamed, valueOf} from './values.mjs';
+import {say} from './words.mjs';
 
 export const tokens = [];
 const token = (html) => `\n\n\uE000${tokens.push(html) - 1}\uE001\n\n`;
@@ -19,7 +23,8 @@ const token = (html) => `\n\n\uE000${tokens.push(html) - 1}\uE001\n\n`;
 /// What the checks ask about afterwards.
 export const shown = {snippets: [], figures: [], equations: new Map(), outputs: [], typed: [], cited: new Set(), touch: []};
 
-const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
+/// What a heading is called in links: made from its English words in every language.
+export const slug = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
 
 // A long path may break after a slash.
 const shownPath = (path) => escape(path).replaceAll('/', '/<wbr>');
@@ -66,7 +71,7 @@ class Page {
   // Also {{figure touch}} and {{eq 1.2.3}}, which lead there.
   value(body, line) {
     const [, kind, name] = /^(figure|eq) ([\w.-]+)$/.exec(body) ?? [];
-    if (kind === 'figure') return `<a href="#figure-${name}">figure&nbsp;${this.figureNumber(name, line)}</a>`;
+    if (kind === 'figure') return `<a href="#figure-${name}">${say('to figure')}&nbsp;${this.figureNumber(name, line)}</a>`;
     return kind ? `<a href="#eq-${name}">(${name})</a>` : this.number(body, line, false);
   }
 
@@ -88,7 +93,7 @@ class Page {
     const entry = references.find((each) => each.key === key);
     if (!entry) complain(this.where(line), `the bibliography has no ${key}`);
     shown.cited.add(key);
-    return `<a class="cite" href="bibliography.html#${key}">${escape(entry?.label ?? key)}</a>`;
+    return `<a class="cite" href="${pageInEnglish('bibliography.html')}#${key}">${escape(entry?.label ?? key)}</a>`;
   }
 
   // To another essay, as one who reads the sources finds it, or within the page.
@@ -97,7 +102,7 @@ class Page {
     const [file, anchor] = target.split('#');
     if (!file) return target;
     const path = resolve(dirname(this.source), file);
-    const page = [...chapters, ...otherPages].find((each) => each.source === path);
+    const page = [...chapters, ...otherPages].find((each) => each.original === path);
     if (!page) complain(this.where(line), `the link ${target} leads to no page`);
     return (page?.page ?? file) + (anchor ? '#' + anchor : '');
   }
@@ -112,13 +117,13 @@ class Page {
     shown.figures.push({path, page: this.id});
     if (alternative.length < 20) complain(this.where(line), `the figure ${name} needs an alternative text that tells what is seen`);
     const svg = this.attempt(line, () => this.pictures(path, `${this.id}-${name}`.replaceAll('_', '-'), alternative));
-    return `<figure id="figure-${name}">${svg}<figcaption><b>Figure&nbsp;${this.figureNumber(name, line)}.</b> `;
+    return `<figure id="figure-${name}">${svg}<figcaption><b>${say('figure')}&nbsp;${this.figureNumber(name, line)}.</b> `;
   }
 
   // The picture, and, where the chapter draws it moving as well, that one: the style sheet shows one of the two.
   pictures(path, prefix, alternative) {
     const moving = path.replace(/\.svg$/, '-animated.svg'), still = inlineFigure(path, prefix, alternative);
-    if (!existsSync(join(root, moving))) return still;
+    if (!existsSync(figureFile(moving))) return still;
     shown.figures.push({path: moving, page: this.id});
     return still.replace('<svg', '<svg class="rests"') +
            inlineFigure(moving, prefix + '-moves', alternative).replace('<svg', '<svg class="moves"');
@@ -126,7 +131,7 @@ class Page {
 
   // A place that docs/touch/main.js fills; hidden until then.
   touch({name}) {
-    if (!canTouch) return '';
+    if (!canTouch || !isOriginal) return '';
     shown.touch.push({name, page: this.id});
     return `<figure class="touch" id="touch-${name}" data-figure="${name}" hidden></figure>`;
   }
@@ -168,10 +173,10 @@ class Page {
 
   output(file, line) {
     shown.outputs.push({file, page: this.id});
-    const path = join(root, 'chapters', file);
+    const path = join(root, 'chapters', isOriginal ? file : file.replace('.expected', `.${language}.expected`));
     const printed = this.attempt(line, () => read(path).trimEnd());
     const lines = printed.split('\n').map((text) => `<span class="line">${escape(text) || ' '}</span>`).join('\n');
-    return token(`<div class="where">${shownPath('chapters/' + file)}</div><pre class="output">${lines}</pre>`);
+    return token(`<div class="where">${shownPath(fromRoot(path))}</div><pre class="output">${lines}</pre>`);
   }
 
   fence({info, content}, line) {
@@ -190,8 +195,9 @@ class Page {
   }
 
   heading([{markup, map}, {content}]) {
-    if (/[$`]/.test(content)) complain(this.where(1 + map[0]), 'a heading holds words alone, for contents and search');
-    return markup === '#' ? '' : `${markup} ${content} {#${this.id.replaceAll('_', '-')}-${slug(content)}}`;
+    const [, words, name = slug(words)] = /^(.*?)(?: \{#([\w-]+)\})?$/.exec(content);
+    if (/[$`]/.test(words)) complain(this.where(1 + map[0]), 'a heading holds words alone, for contents and search');
+    return markup === '#' ? '' : `${markup} ${words} {#${this.id.replaceAll('_', '-')}-${name}}`;
   }
 
   made({name, line}) {
@@ -223,7 +229,7 @@ const becomes = {
   formula: (page, {content, meta}) => page.set(content, meta.line, false),
   value: (page, {content, meta}) => page.value(content, meta.line),
   cited: (page, {content, meta}) => page.cited(content, meta.line),
-  section: (page, {content}) => `<a class="section" href="papermap.html#s${content}">§${content}</a>`,
+  section: (page, {content}) => `<a class="section" href="${pageInEnglish('papermap.html')}#s${content}">§${content}</a>`,
   link_open: (page, {attrs, meta}) => `<a href="${escape(page.link(attrs[0][1], meta.line))}">`,
   equation: (page, {meta}) => page.equation(meta),
   figure_open: (page, {meta}) => page.figure(meta),
@@ -247,15 +253,15 @@ function answersLast(text, id) {
   const answers = [];
   const questions = text.replace(
       /^\*\*(\d+)\.\*\*([\s\S]*?)<details>\n<summary>Answer<\/summary>\n([\s\S]*?)<\/details>$/gm, (_, n, question, answer) => {
-        answers.push(`### Answer ${n}\n\n${answer.trim()}\n`);
-        return `**${n}.**${question}[Answer ${n}](#${id.replaceAll('_', '-')}-answer-${n})`;
+        answers.push(`### ${say('answer')} ${n} {#answer-${n}}\n\n${answer.trim()}\n`);
+        return `**${n}.**${question}[${say('answer')} ${n}](#${id.replaceAll('_', '-')}-answer-${n})`;
       });
-  return answers.length ? `${questions}\n## Answers\n\n${answers.join('\n')}` : text;
+  return answers.length ? `${questions}\n## ${say('answers')} {#answers}\n\n${answers.join('\n')}` : text;
 }
 
 /// One page for Doxygen. \param head  its title, and the HTML that follows it; \param foot  the HTML at its end
-export function weave({id, source, chapter, letter, title, folders, text, head = '', foot = '', generated = {}}) {
-  const page = new Page(id, source, chapter?.number ?? letter, text);
+export function weave({id, source, original, chapter, letter, title, folders, text, head = '', foot = '', generated = {}}) {
+  const page = new Page(id, source, chapter?.number ?? letter, text ?? asPage(source, original, slug));
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
   if (first?.[1] !== title) complain(`${page.name}:1`, `the first line must be "# ${title}"`);
