@@ -87,7 +87,7 @@ set ytics 0.5 font ",14"
 set border 3
 set tics nomirror
 set multiplot
-set bmargin at screen 0.28
+set bmargin at screen 0.3
 set tmargin at screen 0.95
 $clamped0 << EOD
 0 1
@@ -672,7 +672,7 @@ $clamped6 << EOD
 EOD
 set lmargin at screen 0.06
 set rmargin at screen 0.48
-set label 1 "clamped: 0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4" at graph 0.5, -0.33 center tc rgb INK
+set label 1 "clamped" at graph 0.5, -0.36 center tc rgb INK
 plot $clamped0 with lines lc rgb BLUE lw 2, $clamped1 with lines lc rgb RED lw 2, $clamped2 with lines lc rgb GREEN lw 2, $clamped3 with lines lc rgb PINK lw 2, $clamped4 with lines lc rgb ORANGE lw 2, $clamped5 with lines lc rgb SKY lw 2, $clamped6 with lines lc rgb INK lw 2
 $loose0 << EOD
 0 0.16667
@@ -1257,6 +1257,6 @@ $loose6 << EOD
 EOD
 set lmargin at screen 0.56
 set rmargin at screen 0.98
-set label 1 "not clamped: −3, −2, ... 6, 7" at graph 0.5, -0.33 center tc rgb INK
+set label 1 "not clamped" at graph 0.5, -0.36 center tc rgb INK
 plot $loose0 with lines lc rgb BLUE lw 2, $loose1 with lines lc rgb RED lw 2, $loose2 with lines lc rgb GREEN lw 2, $loose3 with lines lc rgb PINK lw 2, $loose4 with lines lc rgb ORANGE lw 2, $loose5 with lines lc rgb SKY lw 2, $loose6 with lines lc rgb INK lw 2
 unset multiplot

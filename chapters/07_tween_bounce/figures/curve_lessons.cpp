@@ -85,7 +85,7 @@ void draw_knots(const Program& program) {
   std::ostream& out = figure.script();
   out << "unset key\nset xrange [-0.08:4.08]\nset yrange [-0.04:1.08]\nset xtics 1 font \",14\"\nset ytics "
          "0.5 font \",14\"\n"
-      << "set border 3\nset tics nomirror\nset multiplot\nset bmargin at screen 0.28\nset tmargin at screen "
+      << "set border 3\nset tics nomirror\nset multiplot\nset bmargin at screen 0.3\nset tmargin at screen "
          "0.95\n";
   const auto panel = [&](const std::string& name, double left, const std::vector<double>& knots,
                          const Text& words) {
@@ -96,12 +96,11 @@ void draw_knots(const Program& program) {
           (i ? ", $" : "plot $") + name + std::to_string(i) + " with lines lc rgb " + pens[i] + " lw 2";
     }
     out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.42 << "\nset label 1 \""
-        << program.say(words) << "\" at graph 0.5, -0.33 center tc rgb INK\n"
+        << program.say(words) << "\" at graph 0.5, -0.36 center tc rgb INK\n"
         << clauses << "\n";
   };
-  panel("clamped", 0.06, clamped,
-        {"clamped: 0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4", "端點固定：0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4"});
-  panel("loose", 0.56, loose, {"not clamped: −3, −2, ... 6, 7", "端點未固定：−3, −2, ... 6, 7"});
+  panel("clamped", 0.06, clamped, {"clamped", "端點固定"});
+  panel("loose", 0.56, loose, {"not clamped", "端點未固定"});
   out << "unset multiplot\n";
   figure.draw();
 }

@@ -60,22 +60,26 @@ Eigen::AlignedBox3d room_of(const Film& film, const std::vector<Point>& ways) {
   return room;
 }
 
-/// A film's stage: what rests, and the way.
+/// A film's stage, large enough for all of it: what rests, the way that was planned, and the way as far as it is gone.
 class Stage {
  public:
-  Stage(const Film& film, const Showing& showing, double until)
-      : film_(film), scene_(film.view, 0.02), times_(even_times(film.begin(), until, steps)) {
-    times_ = moments_of(film, showing, until, times_);
-    gone_ = places(times_, [&](double t) { return showing.at(t).place; });
-    planned_ = places(times_, [&](double t) { return showing.planned(t); });
-    const Eigen::AlignedBox3d room = room_of(film, gone_);
+  Stage(const Film& film, const Showing& showing, double until) : film_(film), scene_(film.view, 0.02) {
+    const auto times_until = [&](double end) {
+      return moments_of(film, showing, end, even_times(film.begin(), end, steps));
+    };
+    const auto way = [&](double time) { return showing.at(time).place; };
+    const auto all = times_until(film.end());
+    const Eigen::AlignedBox3d room = room_of(film, places(all, way));
     for (const Wall& wall : film.walls) put(wall, room);
-    for (const Point& p : gone_) {
-      scene_.make_room(p + 1.3 * reach_of(film.actor) * (film.view.right() + film.view.up()));
-      scene_.make_room(p - 1.3 * reach_of(film.actor) * (film.view.right() + film.view.up()));
+    const Vector reach = 1.3 * reach_of(film.actor) * (film.view.right() + film.view.up());
+    for (const Point& p : places(all, way)) {
+      scene_.make_room(p + reach);
+      scene_.make_room(p - reach);
     }
-    if (!showing.contacts().empty()) scene_.line(planned_, {colour::grey, 1.4, true}, 1);
-    scene_.line(gone_, {colour::red, 1.8}, 1);
+    if (!showing.contacts().empty())
+      scene_.line(places(all, [&](double time) { return showing.planned(time); }), {colour::grey, 1.4, true},
+                  1);
+    scene_.line(places(times_until(until), way), {colour::red, 1.8}, 1);
   }
 
   Scene& scene() { return scene_; }
@@ -92,8 +96,6 @@ class Stage {
 
   const Film& film_;
   Scene scene_;
-  std::vector<double> times_;
-  std::vector<Point> gone_, planned_;
 };
 
 // The body, pale or not, above all that rests.
@@ -106,6 +108,21 @@ void put_body(Scene& scene, const Film& film, const Frame& frame, double opacity
   for (const auto& line : shape.lines) scene.line(line, {colour::ink, width}, layer);
 }
 
+// The contacts, each with its number, but where that would stand upon another.
+void put_numbers(Scene& scene, const Film& film, const Showing& showing, double until) {
+  const double aside = 0.35 * reach_of(film.actor);
+  std::vector<Point> numbered;
+  for (std::size_t i = 0; i < showing.contacts().size() && showing.contacts()[i].time <= until; ++i) {
+    const Contact& contact = showing.contacts()[i];
+    const Point at = contact.point() - aside * contact.normal;
+    scene.dot(contact.point(), colour::blue);
+    const auto is_near = [&](const Point& other) { return (other - at).norm() < 3 * aside; };
+    if (std::any_of(numbered.begin(), numbered.end(), is_near)) continue;
+    scene.label(std::to_string(i + 1), at, 0, -0.3);
+    numbered.push_back(at);
+  }
+}
+
 // One picture: the way, the images that the body leaves, its contacts, and where it is at last.
 void draw_still(const Program& program, const Film& film, const Showing& showing, double until) {
   Stage stage(film, showing, until);
@@ -114,13 +131,7 @@ void draw_still(const Program& program, const Film& film, const Showing& showing
   for (const double time : even_times(film.begin(), until, images))
     if (time < until) put_body(scene, film, showing.at(time), 0.35, layer++);
   put_body(scene, film, showing.at(until), 1, layer);
-  std::size_t number = 0;
-  for (const Contact& contact : showing.contacts()) {
-    if (contact.time > until || ++number > 9) break;
-    scene.dot(contact.point(), colour::blue);
-    scene.label(std::to_string(number), contact.point() - 0.35 * reach_of(film.actor) * contact.normal, 0,
-                -0.3);
-  }
+  put_numbers(scene, film, showing, until);
   Figure figure(program.studio(), film.name, scene.size());
   scene.draw(figure);
   figure.draw();
@@ -217,7 +228,8 @@ void draw_moving(const Program& program, const Film& film, const Showing& showin
   const int delay = delay_of(cut.per_second);
   Figure figure(svg_only(program.studio()), name, scene.size());
   figure.script() << gif_terminal(name, scene.size(), delay, program.studio().chinese);
-  const auto pictures = picture_times(film.begin(), cut.until, 100.0 / delay);
+  auto pictures = picture_times(film.begin(), cut.until, 100.0 / delay);
+  pictures.insert(pictures.end(), static_cast<std::size_t>(100 * held / delay), cut.until);
   write_pictures(figure, scene, moves_of(film, showing, scene, pictures), pictures.size());
   draw_animated(program.studio(), figure, animation);
 }

@@ -13,7 +13,7 @@ namespace tween_bounce {
 
 namespace {
 
-constexpr int round = 28, half_round = 10;  // corners of a ball's outline, and of a line upon it
+constexpr int round = 36, half_round = 10;  // corners of a ball's outline, and of a line upon it
 
 /// From the body as it stands about the origin to where and how it is drawn.
 struct Drawn {

@@ -52,7 +52,7 @@ struct Film {
 ///@{
 /// Bounds of what a film may say, so that whatever is read can be played and drawn.
 inline constexpr double most_length = 1e6, least_length = 1e-6, most_time = 1e6, most_scale = 8;
-inline constexpr std::size_t most_keys = 1000, most_points = 100, most_walls = 1000, most_frames = 2000;
+inline constexpr std::size_t most_keys = 200, most_points = 100, most_walls = 100, most_frames = 2000;
 ///@}
 
 }  // namespace tween_bounce
