@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "figures/figures.hpp"
+#include "film/read_film.hpp"
 #include "film/run.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/program.hpp"
@@ -154,9 +155,8 @@ void tell_corrected(Program& program, const Scene& scene, const Bounce& bounce) 
 //! [report]
 
 //! [notes]
-// More numbers that the notes speak of: of the printed fall, its plan, and the solved one.
+// More numbers that the notes speak of: of the printed fall, the film, and the solved one.
 void note(Program& program, const Scene& scene, const PrintedMotion& motion, const Bounce& bounce) {
-  const Flight printed = tween_bounce::printed_flight(motion);
   program.value("v0", scene.v0);
   program.value("y0", scene.y0);
   program.value("dt", scene.dt);
@@ -170,10 +170,9 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
     const double up = scene.restitution * scene.v0 - 6.0 / 5 * scene.g * motion.hits.front().time;
     program.value("apex_height_by_formula", up * up / (2 * 6.0 / 5 * scene.g));
   }
-  if (const auto tween = tween_bounce::plan(printed)) {
-    const auto off = tween_bounce::off_plan(printed, *tween);
-    program.value("chords", static_cast<double>(chords(tween->curve(1), 1e-6).size() - 1));
-  }
+  const auto film = tween_bounce::film_named("hall").keys;
+  const Curve first_curve = film[1].path.from_to(film[1].place, film[2].place);
+  program.value("chords", chords(first_curve, 1e-6).size() - 1);
   for (std::size_t n = 1; n <= 3; ++n) {
     const auto landing = bounce.impact(n);
     const auto apex = bounce.apex(n);

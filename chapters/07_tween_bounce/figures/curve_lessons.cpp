@@ -81,11 +81,11 @@ void draw_knots(const Program& program) {
   const std::vector<double> clamped{0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4},
       loose{-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr const char* pens[]{"BLUE", "RED", "GREEN", "PINK", "ORANGE", "SKY", "INK"};
-  Figure figure(program.studio(), "knots", {720, 260});
+  Figure figure(program.studio(), "knots", {720, 280});
   std::ostream& out = figure.script();
   out << "unset key\nset xrange [-0.08:4.08]\nset yrange [-0.04:1.08]\nset xtics 1 font \",14\"\nset ytics "
          "0.5 font \",14\"\n"
-      << "set border 3\nset tics nomirror\nset multiplot\nset bmargin at screen 0.3\nset tmargin at screen "
+      << "set border 3\nset tics nomirror\nset multiplot\nset bmargin at screen 0.32\nset tmargin at screen "
          "0.95\n";
   const auto panel = [&](const std::string& name, double left, const std::vector<double>& knots,
                          const Text& words) {
@@ -95,12 +95,12 @@ void draw_knots(const Program& program) {
       clauses +=
           (i ? ", $" : "plot $") + name + std::to_string(i) + " with lines lc rgb " + pens[i] + " lw 2";
     }
-    out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.42 << "\nset label 1 \""
-        << program.say(words) << "\" at graph 0.5, -0.36 center tc rgb INK\n"
+    out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.41 << "\nset label 1 \""
+        << program.say(words) << "\" at graph 0.5, -0.4 center tc rgb INK\n"
         << clauses << "\n";
   };
-  panel("clamped", 0.06, clamped, {"clamped", "端點固定"});
-  panel("loose", 0.56, loose, {"not clamped", "端點未固定"});
+  panel("clamped", 0.075, clamped, {"clamped", "端點固定"});
+  panel("loose", 0.575, loose, {"not clamped", "端點未固定"});
   out << "unset multiplot\n";
   figure.draw();
 }
