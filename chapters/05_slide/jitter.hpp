@@ -1,5 +1,5 @@
 #pragma once
-#include "scene.hpp"
+#include "rooms.hpp"
 
 /// A ball that is pressed into a corner of two upright walls, 120 degrees from one to the other.
 extern const first_contact::Mesh wide_corner;

@@ -208,9 +208,11 @@ int main(int argc, char** argv) {
   program.option("--from", scene.from, "x,y,z", "P1, centre of the sphere at the start");
   program.option("--to", scene.to, "x,y,z", "P2, where it is sent");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
+  program.option("--wall", scene.wall, "x,y,z",
+                 "a second wall, from the ground at x = 1 by this vector; 0: none");
   program.option("--frames", frames, "n", "of the walk over each whole surface", up_to_a_million);
   return program.run(argc, argv, [&] {
-    const auto environment = program.checked("--mesh", [&] { return scene.environment(); });
+    const auto environment = program.checked({"--mesh", "--wall"}, [&] { return scene.environment(); });
     const auto ball = program.checked({"--to", "--from", "--radius"}, [&] { return scene.ball(); });
     const Slide path = slide(ball, environment);
     Report& report = program.report();
@@ -222,10 +224,12 @@ int main(int argc, char** argv) {
     tell_second_wall(report, corner, into_corner,
                      {"A third wall: the sphere stops in the corner", "第三面牆：停在角落"});
     tell_gap(report);
+    give_contacts(program, path);
+    program.result("/wall_after_wall", wall_after_wall(ball, environment));
+    if (program.results_alone() && !program.draws()) return;
     const auto grounds = walks::grounds();
     const auto all_walks = tell_walks(program, grounds, frames);
     if (program.given("--mesh")) tell_defects(report, environment.mesh());
-    give_contacts(program, path);
     note_wall(program, environment, ball);
     note_second_wall(program, "crease", crease, into_crease);
     note_second_wall(program, "corner", corner, into_corner);

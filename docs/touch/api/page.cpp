@@ -8,10 +8,11 @@
 
 extern "C" {
 
-OF_THE_PAGE("number") void page_number(const char* name, double value);
-OF_THE_PAGE("numbers") void page_numbers(const char* name, const double* values, std::size_t count);
-OF_THE_PAGE("word") void page_word(const char* name, const char* word);
-OF_THE_PAGE("whether") void page_whether(const char* name, bool is_so);
+OF_THE_PAGE("numbers")
+void page_numbers(const char* name, std::size_t length, const double* values, std::size_t count);
+OF_THE_PAGE("number") void page_number(const char* name, std::size_t length, double value);
+OF_THE_PAGE("word") void page_word(const char* name, std::size_t length, const char* word);
+OF_THE_PAGE("whether") void page_whether(const char* name, std::size_t length, bool is_so);
 OF_THE_PAGE("refused") void page_refused(const char* why);
 
 // WebAssembly of Debian's clang knows no exceptions: what would be thrown is told to the page, and the call
@@ -27,12 +28,14 @@ void __cxa_free_exception(void*) noexcept {}
 
 namespace touch {
 
-void tell(const char* name, double value) { page_number(name, value); }
-void tell(const char* name, std::span<const double> values) {
-  page_numbers(name, values.data(), values.size());
+void tell(std::string_view name, double value) { page_number(name.data(), name.size(), value); }
+void tell(std::string_view name, std::span<const double> values) {
+  page_numbers(name.data(), name.size(), values.data(), values.size());
 }
-void tell(const char* name, const first_contact::Vector& value) { page_numbers(name, value.data(), 3); }
-void tell(const char* name, const char* word) { page_word(name, word); }
-void tell_whether(const char* name, bool is_so) { page_whether(name, is_so); }
+void tell(std::string_view name, const first_contact::Vector& value) {
+  tell(name, std::span(value.data(), 3));
+}
+void tell(std::string_view name, const char* word) { page_word(name.data(), name.size(), word); }
+void tell_whether(std::string_view name, bool is_so) { page_whether(name.data(), name.size(), is_so); }
 
 }  // namespace touch

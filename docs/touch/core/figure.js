@@ -89,16 +89,21 @@ export class Figure {
     this.element.scrollIntoView({block: 'center'});
   }
 
+  baseOf(name) {
+    const {from} = this.own.parameters[name];
+    return Array.isArray(from) ? from : this.state[from];
+  }
+
   // Where a handle is, or what a slider shows: a way begins at another place, and has its handle at its end.
   shownPlace(name) {
-    const {from} = this.own.parameters[name], value = this.state[name];
-    return from ? value.map((each, i) => each + this.state[from][i]) : value;
+    const base = this.baseOf(name), value = this.state[name];
+    return base ? value.map((each, i) => each + base[i]) : value;
   }
 
   // What is meant by moving it there.
   meant(name, wished) {
-    const {from} = this.own.parameters[name];
-    return from ? wished.map((each, i) => each - this.state[from][i]) : wished;
+    const base = this.baseOf(name);
+    return base ? wished.map((each, i) => each - base[i]) : wished;
   }
 
   change(name, wished) {

@@ -2,22 +2,20 @@
 // The module stands in a script of its own, packed, as letters, so that it can be read from a disk too; it is loaded when
 // a figure first comes near.
 
-const memory = {instance: undefined, answer: {}, words: new Map()};
+const memory = {instance: undefined, answer: {}};
+const utf8 = new TextDecoder();
 
 const bytes = (letters) => Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
 
-// A word of C++ by its address; those of names never change.
-function wordAt(address, kept = true) {
-  if (kept && memory.words.has(address)) return memory.words.get(address);
+// A word of C++ by its address; without a length it ends at a zero.
+function wordAt(address, length) {
   const all = new Uint8Array(memory.instance.exports.memory.buffer);
-  const word = new TextDecoder().decode(all.subarray(address, all.indexOf(0, address)));
-  if (kept) memory.words.set(address, word);
-  return word;
+  return utf8.decode(all.subarray(address, length === undefined ? all.indexOf(0, address) : address + length));
 }
 
 // "contact/time" is put where a JSON pointer of that name leads.
-function put(name, value) {
-  const path = wordAt(name).split('/'), last = path.pop();
+function put(name, length, value) {
+  const path = wordAt(name, length).split('/'), last = path.pop();
   let place = memory.answer;
   for (const part of path) place = place[part] ??= {};
   place[last] = value;
@@ -26,10 +24,11 @@ function put(name, value) {
 // What api/page.cpp calls; the rest is what the C library asks an operating system for, and there is none.
 const page = {
   number: put,
-  numbers: (name, first, count) => put(name, [...new Float64Array(memory.instance.exports.memory.buffer, first, count)]),
-  whether: (name, isSo) => put(name, Boolean(isSo)),
-  word: (name, word) => put(name, wordAt(word, false)),
-  refused: (why) => { throw new Error(wordAt(why, false)); },
+  numbers: (name, length, first, count) =>
+    put(name, length, [...new Float64Array(memory.instance.exports.memory.buffer, first, count)]),
+  whether: (name, length, isSo) => put(name, length, Boolean(isSo)),
+  word: (name, length, word) => put(name, length, wordAt(word)),
+  refused: (why) => { throw new Error(wordAt(why)); },
 };
 const noSystem = new Proxy({}, {get: () => () => 52});
 

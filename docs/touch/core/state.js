@@ -5,7 +5,7 @@ const decimals = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
 /// A number: {start, least, most, step, fine}. The arrows go by `step`, with Shift by `fine`, and so does a drag.
 export const number = (start, {least, most, step, fine = step}) => ({start, least, most, step, fine});
 /// A place in the plane: {start: [x, y], least: [x, y], most: [x, y], step, fine}; with `from` the way from another place
-/// to it, such as a velocity.
+/// to it, such as a velocity; that place is a parameter, or [x, y].
 export const place = (start, {least, most, step = 0.1, fine = 0.01, from}) =>
   ({start, least, most, step, fine, from, isPlace: true});
 

@@ -2,3 +2,4 @@
 export {angleDemo as 'angle-demo'} from './angle_demo.js';
 export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';
 export {plane} from './plane.js';
+export {slide} from './slide.js';

@@ -59,4 +59,18 @@ export const words = {
     printedAlone: 'Program 4 has them collide all the same: they come nearer.',
     printedNot: 'Program 4 finds no collision.',
   },
+
+  slide: {
+    title: 'A ball that slides along the ground and a second wall',
+    caption: `<b>To touch.</b> Drag both ends of the wish, and the top of the second wall, which changes the angle between the two.
+      Grey are the ways that one wall alone would let it go on; green is the way taken, which leads into none. Pink is where the
+      ball ends if each wall forgets the one before.`,
+    p1: 'P 1, the centre at the start', p2: 'P 2, where the ball is sent', wall: 'the top of the second wall',
+    radius: {html: 'radius <i>r</i>', spoken: 'radius r'},
+    contacts: 'contacts', end: 'ends at', other: 'wall after wall',
+    meets: (count) => `The ball meets a wall ${count === 1 ? 'once' : count === 2 ? 'twice' : `${count} times`}`,
+    arrives: (end) => `and slides on to ${end}.`,
+    stands: (end) => `and stands at ${end}: every way on leads into a wall, or back.`,
+    free: 'The ball meets nothing on its way.',
+  },
 };
