@@ -195,6 +195,25 @@ void note_frames(Program& program) {
 }
 //! [notes]
 
+//! [studies]
+// What is longer than a slide: walks by the thousand, the numbers of the notes, the figures.
+void tell_studies(Program& program, const Environment& environment, const Moving<Sphere>& ball,
+                  const Slide& path, long frames) {
+  const auto grounds = walks::grounds();
+  const auto all_walks = tell_walks(program, grounds, frames);
+  if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
+  note_wall(program, environment, ball);
+  note_second_wall(program, "crease", crease, into_crease);
+  note_second_wall(program, "corner", corner, into_corner);
+  note_gap(program);
+  note_frames(program);
+  note_walks(program, grounds, all_walks);
+  if (!program.draws()) return;
+  draw_slide_figures(program, environment, ball, path);
+  draw_walk(program.studio(), grounds[0], all_walks[0]);
+}
+//! [studies]
+
 }  // namespace
 
 //! [main]
@@ -226,19 +245,7 @@ int main(int argc, char** argv) {
     tell_gap(report);
     give_contacts(program, path);
     program.result("/wall_after_wall", wall_after_wall(ball, environment));
-    if (program.results_alone() && !program.draws()) return;
-    const auto grounds = walks::grounds();
-    const auto all_walks = tell_walks(program, grounds, frames);
-    if (program.given("--mesh")) tell_defects(report, environment.mesh());
-    note_wall(program, environment, ball);
-    note_second_wall(program, "crease", crease, into_crease);
-    note_second_wall(program, "corner", corner, into_corner);
-    note_gap(program);
-    note_frames(program);
-    note_walks(program, grounds, all_walks);
-    if (!program.draws()) return;
-    draw_slide_figures(program, environment, ball, path);
-    draw_walk(program.studio(), grounds[0], all_walks[0]);
+    if (!program.results_alone() || program.draws()) tell_studies(program, environment, ball, path, frames);
   });
 }
 //! [main]
