@@ -7,6 +7,7 @@ import {finish} from './tools/finish.mjs';
 import {appendixFoot, appendixHead, chapterFoot, chapterHead, chapterList, chapterMap, exerciseList} from './tools/generated.mjs';
 import {libraryTable} from './tools/library.mjs';
 import {drawFigures} from './tools/drawn.mjs';
+import {glossaryText} from './tools/glossary.mjs';
 import {museumText} from './tools/museum.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
 import {runNamed, runPrograms} from './tools/values.mjs';
@@ -37,7 +38,7 @@ const inEnglish = () => ({exercises: exerciseList(), bibliography: bibliography(
                           errata: errataTable(), library: libraryTable((words) => prose(words, 'library.md'))});
 const generated = {map: chapterMap(), chapters: chapterList(), ...(isOriginal ? inEnglish() : {})};
 for (const page of otherPages.filter(({isHere}) => isHere)) {
-  const text = page.isMuseum ? museumText() : undefined;
+  const text = page.isMuseum ? museumText() : page.id === 'glossary' ? glossaryText() : undefined;
   const frame = page.letter ? {head: appendixHead(page), foot: appendixFoot(page)} : {};
   writeFileSync(join(pages, page.id + '.md'), weave({...page, ...frame, generated, text}));
 }

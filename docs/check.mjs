@@ -1,5 +1,5 @@
 // All checks of the notes, each in a file of its own under docs/checks. Exit status 1 and a line for each fault.
-//   node docs/check.mjs [twice|essays|code|paper|links|editions|browser|touch|print ...]     without a name: all but print
+//   node docs/check.mjs [twice|essays|words|code|paper|links|editions|browser|touch|print ...]     without a name: all but print
 // `twice` builds the book; the others look at what was built, `print` at what ./course notes --pdf has made.
 import {checkBrowser} from './checks/browser.mjs';
 import {checkCode} from './checks/code.mjs';
@@ -10,10 +10,11 @@ import {checkPaper} from './checks/paper.mjs';
 import {checkPrint} from './checks/print.mjs';
 import {checkTouch} from './checks/touch.mjs';
 import {checkTwice} from './checks/twice.mjs';
+import {checkWords} from './checks/words.mjs';
 import {complaints, stopIfWrong} from './tools/book.mjs';
 
-const all = {twice: checkTwice, essays: checkEssays, code: checkCode, paper: checkPaper, links: checkLinks,
-             editions: checkEditions, browser: checkBrowser, touch: checkTouch, print: checkPrint};
+const all = {twice: checkTwice, essays: checkEssays, words: checkWords, code: checkCode, paper: checkPaper,
+             links: checkLinks, editions: checkEditions, browser: checkBrowser, touch: checkTouch, print: checkPrint};
 const wanted = process.argv.slice(2);
 for (const name of wanted)
   if (!all[name]) {

@@ -23,9 +23,12 @@ function checkEssay(chapter) {
   }
   for (const [part, pattern] of parts)
     if (!pattern.test(text)) complain(name, `there is no ${part}`);
-  const exercises = text.match(/^\*\*\d+\.\*\*/gm)?.length ?? 0, answers = text.match(/^<details>$/gm)?.length ?? 0;
+  const count = (pattern) => text.match(pattern)?.length ?? 0;
+  const exercises = count(/^\*\*\d+\.\*\*/gm), asked = count(/^\*\*Ask yourself\.\*\*/gm), answers = count(/^<details>$/gm);
   if (exercises < 3) complain(name, `${exercises} exercises: there should be three at the least`);
-  if (exercises !== answers) complain(name, `${exercises} exercises, but ${answers} folded answers`);
+  if (asked < 3) complain(name, `${asked} questions on the way: there should be three at the least`);
+  if (exercises + asked !== answers) complain(name, `${exercises + asked} questions, but ${answers} folded answers`);
+  if (!/^\*\*To search for:\*\* /m.test(text)) complain(name, 'does not say what to search for');
 }
 
 // Each exercise of the workbook is linked where its idea is fresh, in its own chapter.

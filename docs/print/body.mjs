@@ -78,9 +78,10 @@ function takeAnswers(tree, id) {
 // "Answer 3", a line of its own on the page, here ends the question.
 function leadToAnswers(tree, given, pages) {
   const places = new Set(given('[id]').toArray().map(({attribs}) => attribs.id));
-  tree('p > a:only-child').filter((_, {attribs}) => places.has(attribs.href?.slice(1))).each((_, link) => {
-    const place = link.attribs.href.slice(1), line = tree(link).parent(), question = line.prev('p');
-    line.remove();
+  tree('p > a').filter((_, {attribs}) => places.has(attribs.href?.slice(1))).each((_, link) => {
+    const place = link.attribs.href.slice(1), line = tree(link).parent(), isAlone = line.text() === tree(link).text();
+    const question = isAlone ? line.prev('p') : line;
+    (isAlone ? line : tree(link)).remove();
     question.append(` <a class="on-page" href="#${place}">(answer: page ${pages.get(place) ?? '000'})</a>`);
   });
 }

@@ -1,16 +1,6 @@
 // The index: every term of the glossary, with the pages on which a chapter tells of it first.
-import {docs, escape, read} from '../tools/book.mjs';
-
-const rows = [...read(docs, 'pages/glossary.md').matchAll(/^\| ([^|]+?) \| ([^|]+?) \| [^|]+ \|/gm)].slice(2)
-    .map(([, english, chinese]) => ({english, chinese}));
-
-// "bounding volume hierarchy, BVH" is found by either name; what stands in brackets is for the reader alone.
-const namesOf = (english) => english.replace(/ \([^)]*\)/g, '').split(/, | \/ /).map((name) => name.trim());
-const plural = (name) => name.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace(/x$/, 'x(es)?').replace(/y$/, '(y|ies)') + '(s|es)?';
-
-/// The terms: their names, and a pattern that finds them in a text.
-export const terms = rows.map(({english, chinese}) => ({english, chinese,
-  pattern: new RegExp(`(?<![\\w-])(${namesOf(english).map(plural).join('|')})(?![\\w-])`, /[a-z]/.test(english) ? 'i' : '')}));
+import {escape} from '../tools/book.mjs';
+import {terms} from '../tools/glossary.mjs';
 
 const marks = new Map();  // English -> place -> is it told there what it means?
 

@@ -248,14 +248,19 @@ for (const [type, make] of Object.entries(becomes))
 /// A sentence from one of the data files as HTML. \param file  where it stands, for complaints
 export const prose = (text, file) => new Page(file, join(docs, 'pages', file), null, text).asHtml(text, 1);
 
-// The folded answers of a chapter move to the end of its page, where nobody reads them by accident.
+const answered = new RegExp(`^\\*\\*(\\d+\\.|${say('ask yourself')})\\*\\*([^]*?)<details>\\n<summary>.*</summary>\\n([^]*?)</details>$`, 'gm');
+
+// The folded answers of a chapter move to the end of its page, where nobody reads them by accident: to its exercises, which
+// are numbered, and to what is asked on the way, by letters.
 function answersLast(text, id) {
   const answers = [];
-  const questions = text.replace(
-      /^\*\*(\d+)\.\*\*([\s\S]*?)<details>\n<summary>Answer<\/summary>\n([\s\S]*?)<\/details>$/gm, (_, n, question, answer) => {
-        answers.push(`### ${say('answer')} ${n} {#answer-${n}}\n\n${answer.trim()}\n`);
-        return `**${n}.**${question}[${say('answer')} ${n}](#${id.replaceAll('_', '-')}-answer-${n})`;
-      });
+  let asked = 0;
+  const questions = text.replace(answered, (_, name, question, answer) => {
+    const isNumbered = /^\d/.test(name), n = isNumbered ? name.slice(0, -1) : String.fromCharCode('a'.charCodeAt(0) + asked++);
+    answers.push(`### ${say('answer')} ${n} {#answer-${n}}\n\n${answer.trim()}\n`);
+    const link = `[${say('answer')} ${n}](#${id.replaceAll('_', '-')}-answer-${n})`;
+    return `**${name}**${isNumbered ? question : question.trimEnd() + ' '}${link}`;
+  });
   return answers.length ? `${questions}\n## ${say('answers')} {#answers}\n\n${answers.join('\n')}` : text;
 }
 
@@ -265,7 +270,7 @@ export function weave({id, source, original, chapter, letter, title, folders, te
   page.generated = generated;
   const first = /^# (.+)\n/.exec(page.text);
   if (first?.[1] !== title) complain(`${page.name}:1`, `the first line must be "# ${title}"`);
-  if (chapter) page.text = answersLast(page.text, id);
+  if (chapter || letter) page.text = answersLast(page.text, id);
   const label = id === 'index' ? '{#mainpage}' : `{#${id.replaceAll('_', '-')}}`;
   const body = page.body();
   if (folders) checkPage({folders, source}, page.filesShown);
