@@ -61,6 +61,10 @@ Film any_film(Random& random) {
   return film;
 }
 
+Quaternion any_turn(Random& random) {
+  return {number(random, -1, 1), number(random, -1, 1), number(random, -1, 1), number(random, -1, 1)};
+}
+
 double distance(const Wall& wall, const Point& from) {
   if (const Plane* plane = std::get_if<Plane>(&wall)) return plane->normal().dot(from) + plane->offset();
   const Box& box = std::get<Box>(wall);  // an upright one
@@ -88,4 +92,31 @@ TEST_CASE("A film of any keys, ways and easings never goes into a wall") {
     CHECK(nearest >= -hair);
   }
   CHECK(contacts > 24);
+}
+
+TEST_CASE("A film of a box that tumbles stops it before any of its corners is in the floor or in a wall") {
+  constexpr double hair = 1e-6;
+  Random random(7);
+  std::size_t contacts = 0;
+  for (int i = 0; i < 24; ++i) {
+    Film film = any_film(random);
+    const Box box({0, 0, 0}, {number(random, 0.1, 1.2), 0, 0}, {0, number(random, 0.1, 1.2), 0}, {0, 0, 1});
+    film.actor = box;
+    film.walls.pop_back();
+    film.contact = {"stop", After::stop()};
+    for (FilmKey& key : film.keys) key.turn = any_turn(random);
+    const Showing showing(film);
+    CAPTURE(i, showing.contacts().size());
+    contacts += showing.contacts().size();
+    double nearest = 1;
+    for (int k = 0; k <= 400; ++k) {
+      const Frame frame = showing.at(2 * k / 400.0);
+      const Box turned = Rigid(Quaternion(frame.turn.coeffs()), frame.place).box(box);
+      for (const Wall& wall : film.walls)
+        nearest = std::min(
+            nearest, distance(wall, turned.center) - turned.effective_radius(std::get<Plane>(wall).normal()));
+    }
+    CHECK(nearest >= -hair);
+  }
+  CHECK(contacts > 12);
 }

@@ -50,6 +50,28 @@ TEST_CASE("A straight motion at constant speed needs its ends alone") {
   CHECK(sparse({{0, {0, 0}}}, 1).size() == 1);
 }
 
+TEST_CASE("A face that turns has its corners at each of its times, and holds the last ones") {
+  Animation animation(diagram, 4, 4);
+  animation.area({{0, {{0, 0}, {4, 0}, {4, 3}}}, {2, {{0, 0}, {2, 0}, {2, 3}}}}, colour::orange);
+  const std::string svg = animation.over("<svg></svg>\n");
+  const std::string first = "20,80 180,80 180,20", last = "20,80 100,80 100,20";
+  CHECK(svg.find("values=\"" + first + ";" + last + ";" + last + "\"") != std::string::npos);
+  CHECK(svg.find("keyTimes=\"0;0.5;1\"") != std::string::npos);
+  CHECK(count(svg, "points=\"" + last + "\"") ==
+        2);  // for a viewer that does not move, and for one that must not
+  CHECK(svg.find("opacity") == std::string::npos);
+}
+
+TEST_CASE("A face that is turned away is not seen, and moves no corner meanwhile") {
+  Animation animation(diagram, 2, 2);
+  animation.area({{0, {}}, {1, {{0, 0}, {4, 0}, {4, 3}}}, {2, {}}}, colour::orange);
+  animation.area({{0, {}}, {2, {}}}, colour::amber);  // one that is never seen is not there
+  const std::string svg = animation.over("<svg></svg>\n"), corners = "20,80 180,80 180,20";
+  CHECK(svg.find("values=\"" + corners + ";" + corners + ";" + corners + "\"") != std::string::npos);
+  CHECK(svg.find("values=\"0;1;0\"") != std::string::npos);
+  CHECK(count(svg, "<polygon") == 1);
+}
+
 TEST_CASE("What moves is laid over the svg, with a still for readers who asked for less motion") {
   Animation animation(diagram, 2, 4);
   animation.ball({{0, {0, 3}}, {1, {1, 0}}, {2, {2, 3}}}, 0.5, colour::blue);

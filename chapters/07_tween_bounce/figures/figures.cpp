@@ -11,6 +11,7 @@ void draw_tween_bounce_figures(const Program& program, const tween_bounce::Fligh
   tween_bounce::draw_tweens(program);
   tween_bounce::draw_curve_lessons(program);
   tween_bounce::draw_turns(program);
-  const tween_bounce::Film hall = tween_bounce::film_named("hall");
+  const tween_bounce::Film hall = tween_bounce::film_named("hall"), soft = tween_bounce::film_named("squash");
   tween_bounce::draw_film(program, hall, tween_bounce::Showing(hall), {hall.end(), 25});
+  tween_bounce::draw_still(program, soft, tween_bounce::Showing(soft), soft.end());
 }

@@ -28,7 +28,10 @@ struct FilmCut {
   double until;
   double per_second;
 };
-/// A film: one picture with the images that the body leaves of itself, and one that moves.
+/// One picture of a film up to a time, with the images that the body leaves of itself.
+void draw_still(const first_contact::program::Program& program, const Film& film, const Showing& showing,
+                double until);
+/// That picture, and one that moves.
 void draw_film(const first_contact::program::Program& program, const Film& film, const Showing& showing,
                const FilmCut& cut);
 

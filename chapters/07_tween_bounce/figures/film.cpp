@@ -123,20 +123,6 @@ void put_numbers(Scene& scene, const Film& film, const Showing& showing, double 
   }
 }
 
-// One picture: the way, the images that the body leaves, its contacts, and where it is at last.
-void draw_still(const Program& program, const Film& film, const Showing& showing, double until) {
-  Stage stage(film, showing, until);
-  Scene& scene = stage.scene();
-  int layer = 2;
-  for (const double time : even_times(film.begin(), until, images))
-    if (time < until) put_body(scene, film, showing.at(time), 0.35, layer++);
-  put_body(scene, film, showing.at(until), 1, layer);
-  put_numbers(scene, film, showing, until);
-  Figure figure(program.studio(), film.name, scene.size());
-  scene.draw(figure);
-  figure.draw();
-}
-
 /// A body at all pictures of an animation, in the plane of the picture.
 struct Moves {
   std::vector<std::vector<Outline>> faces, lines;  // part by part, each at all times
@@ -235,6 +221,20 @@ void draw_moving(const Program& program, const Film& film, const Showing& showin
 }
 
 }  // namespace
+
+// One picture: the way, the images that the body leaves, its contacts, and where it is at last.
+void draw_still(const Program& program, const Film& film, const Showing& showing, double until) {
+  Stage stage(film, showing, until);
+  Scene& scene = stage.scene();
+  int layer = 2;
+  for (const double time : even_times(film.begin(), until, images))
+    if (time < until) put_body(scene, film, showing.at(time), 0.35, layer++);
+  put_body(scene, film, showing.at(until), 1, layer);
+  put_numbers(scene, film, showing, until);
+  Figure figure(program.studio(), film.name, scene.size());
+  scene.draw(figure);
+  figure.draw();
+}
 
 void draw_film(const Program& program, const Film& film, const Showing& showing, const FilmCut& cut) {
   draw_still(program, film, showing, cut.until);

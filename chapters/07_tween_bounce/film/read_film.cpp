@@ -188,13 +188,10 @@ Film film_of(const std::string& text, const std::string& name, const std::filesy
 }
 
 Film film_named(const std::string& word) {
-  std::string all;
-  for (const auto& [name, text] : scenes()) {
-    if (word == name) return film_of(std::string(text), std::string(name), ".");
-    all += (all.empty() ? "" : ", ") + std::string(name);
-  }
+  for (const auto& [name, text] : scenes())
+    if (word == name) return film_of(std::string(text), word, ".");
   if (word.find_first_of("./\\") == std::string::npos)
-    throw FilmError("must be a JSON file, or one of " + all);
+    throw FilmError("must be a JSON file, or one of " + scene_names());
   const std::filesystem::path file = word;
   return film_of(read_file(file), file.stem().string(), file.parent_path());
 }

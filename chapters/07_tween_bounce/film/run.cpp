@@ -2,6 +2,7 @@
 
 #include "figures/figures.hpp"
 #include "read_film.hpp"
+#include "scenes.hpp"
 #include "showing.hpp"
 
 using namespace first_contact;
@@ -74,7 +75,7 @@ void tell_film(Program& program, const Film& film, const Showing& showing, const
 }  // namespace
 
 FilmOptions::FilmOptions(Program& program) {
-  program.option("--film", word, "WORD|FILE", "a film instead: one that is built in, or a JSON file");
+  program.option("--film", word, "WORD|FILE", "a film instead: " + scene_names() + ", or a JSON file");
   program.option("--fps", per_second, "n", "pictures of a film in one second", [](double value) {
     return value >= 1 && value <= 240 ? std::string() : std::string("must be from 1 to 240");
   });

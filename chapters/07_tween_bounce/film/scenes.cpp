@@ -73,4 +73,10 @@ constexpr BuiltIn all[]{{"hall", hall}, {"crate", crate}, {"ramp", ramp}, {"squa
 
 std::span<const BuiltIn> scenes() { return all; }
 
+std::string scene_names() {
+  std::string names;
+  for (const auto& [name, text] : all) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
 }  // namespace tween_bounce

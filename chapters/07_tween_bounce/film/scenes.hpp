@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace tween_bounce {
@@ -12,5 +13,7 @@ struct BuiltIn {
 
 /// All of them.
 std::span<const BuiltIn> scenes();
+/// Their names, with commas between them.
+std::string scene_names();
 
 }  // namespace tween_bounce

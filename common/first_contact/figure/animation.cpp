@@ -168,35 +168,27 @@ void Animation::line(const std::vector<Outline>& outlines, const Colour& colour)
   shape(outlines, "polyline", "fill=\"none\" stroke=\"" + hexadecimal(colour) + "\" stroke-width=\"1.2\"");
 }
 
-// One that is not seen keeps the corners that it had, or will have, so that nothing moves but what is seen.
-void Animation::shape(const std::vector<Outline>& outlines, const std::string& element,
-                      const std::string& style) {
-  std::string points, last, values, times, shown;
+// What is not seen keeps the corners that it had, or will have, so that nothing moves but what is seen.
+void Animation::shape(std::vector<Outline> outlines, const std::string& element, const std::string& style) {
+  const auto seen = [](const Outline& outline) { return !outline.corners.empty(); };
+  const auto first = std::find_if(outlines.begin(), outlines.end(), seen);
+  if (first == outlines.end()) return;
+  std::string points = corners(diagram_, *first), values, times, shown;
+  if (outlines.back().time < duration_) outlines.push_back({duration_, outlines.back().corners});
   for (const Outline& outline : outlines) {
-    if (outline.corners.empty()) continue;
-    points = corners(diagram_, outline);
-    break;
+    const std::string next = values.empty() ? "" : ";";
+    if (seen(outline)) points = corners(diagram_, outline);
+    values += next + points;
+    times += next + rounded(outline.time / duration_, 5);
+    shown += next + (seen(outline) ? "1" : "0");
   }
-  const auto add = [&](double time, bool seen) {
-    values += (values.empty() ? "" : ";") + points;
-    times += (times.empty() ? "" : ";") + rounded(time / duration_, 5);
-    shown += std::string(shown.empty() ? "" : ";") + (seen ? "1" : "0");
-  };
-  if (points.empty()) return;
-  for (const Outline& outline : outlines) {
-    if (!outline.corners.empty()) points = corners(diagram_, outline);
-    add(outline.time, !outline.corners.empty());
-  }
-  const bool seen = !outlines.back().corners.empty();
-  if (outlines.back().time < duration_) add(duration_, seen);
   const std::string base = "<" + element + " points=\"" + points + "\" " + style;
-  moving_ += base + "><animate attributeName=\"points\"" + timing() + " keyTimes=\"" + times +
-             "\" values=\"" + values + "\"/>";
+  const std::string at = timing() + " keyTimes=\"" + times + "\" values=\"";
+  moving_ += base + "><animate attributeName=\"points\"" + at + values + "\"/>";
   if (shown.find('0') != std::string::npos)
-    moving_ += "<animate attributeName=\"opacity\" calcMode=\"discrete\"" + timing() + " keyTimes=\"" +
-               times + "\" values=\"" + shown + "\"/>";
+    moving_ += "<animate attributeName=\"opacity\" calcMode=\"discrete\"" + at + shown + "\"/>";
   moving_ += "</" + element + ">\n";
-  if (seen) still_ += base + "/>\n";
+  if (seen(outlines.back())) still_ += base + "/>\n";
 }
 
 void Animation::text(const std::string& words, const Eigen::Vector2d& at, double from, double until,

@@ -73,7 +73,7 @@ class Animation {
 
  private:
   std::string timing() const;
-  void shape(const std::vector<Outline>& outlines, const std::string& element, const std::string& style);
+  void shape(std::vector<Outline> outlines, const std::string& element, const std::string& style);
   std::string appearing(double from, double until, double opacity) const;
   std::string path(const std::vector<Moment>& moments) const;
 

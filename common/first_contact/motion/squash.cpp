@@ -14,6 +14,7 @@ void require_stretch(double stretch) {
 
 }  // namespace
 
+//! [squash]
 Eigen::Matrix3d squash(const Vector& axis, double stretch) {
   require_finite(axis, "axis");
   if (axis.isZero(0)) refuse("axis 0, 0, 0", "must not be zero");
@@ -29,5 +30,6 @@ double eased_stretch(double a, double b, const Easing& easing, double part) {
   require_stretch(b);
   return a * std::pow(b / a, easing(part));
 }
+//! [squash]
 
 }  // namespace first_contact
