@@ -54,12 +54,12 @@ constexpr std::string_view squash = R"({
   "ball": {"radius": 0.6},
   "keys": [
     {"time": 0, "place": [0, 0, 4], "easing": "in quadratic"},
-    {"time": 0.7, "place": [1.4, 0, 0.6], "scale": 1.35, "easing": "out cubic"},
-    {"time": 0.8, "place": [1.5, 0, 0.6], "scale": 0.6, "easing": "in cubic"},
-    {"time": 0.9, "place": [1.6, 0, 0.6], "scale": 1.25,
+    {"time": 0.8, "place": [1.4, 0, 0.6], "scale": 1.35, "easing": "out cubic"},
+    {"time": 0.9, "place": [1.5, 0, 0.6], "scale": 0.6, "easing": "in cubic"},
+    {"time": 1, "place": [1.6, 0, 0.6], "scale": 1.25,
      "path": {"kind": "bezier", "points": [[2.6, 0, 4.6]]}},
-    {"time": 1.9, "place": [3.6, 0, 0.6], "scale": 1.2, "easing": "out cubic"},
-    {"time": 2, "place": [3.7, 0, 0.6], "scale": 0.75, "easing": "out elastic"},
+    {"time": 2, "place": [3.6, 0, 0.6], "scale": 1.2, "easing": "out cubic"},
+    {"time": 2.1, "place": [3.7, 0, 0.6], "scale": 0.75, "easing": "out elastic"},
     {"time": 3, "place": [3.7, 0, 0.6]}
   ],
   "obstacles": [{"plane": [0, 0, 1, 0.001]}],
