@@ -177,18 +177,22 @@ void tell_grown_planes(Program& program) {
 }
 
 // hitTestPoint and hitTestObject (paper, 2.4.1).
-void tell_hit_tests(Report& report) {
-  const Stage stage;
+void tell_hit_tests(Program& program, const Stage& stage) {
+  Report& report = program.report();
   report.say({"Hit tests as ActionScript defines them (paper, 2.4.1): boxes overlap, shapes do not",
               "ActionScript 的碰撞偵測（論文 2.4.1）：範圍框重疊，形狀並未接觸"});
-  report.row("hitTestObject", truth(hit_test_object(stage.leaf, stage.hook)),
-             {"box against box", "範圍框對範圍框"});
-  report.row("shape against shape", truth(overlap(stage.leaf, stage.hook)),
-             {"what it cannot tell", "實際形體"});
-  report.row("hitTestPoint", truth(hit_test_point(stage.leaf, stage.pointer)),
-             {"the pointer against a bounding box", "滑鼠對範圍框"});
-  report.row("with shapeFlag", truth(hit_test_point(stage.leaf, stage.pointer, true)),
-             {"against the shape itself", "滑鼠對形狀"});
+  const auto tell_test = [&](const char* name, const char* place, bool hit, const Text& meaning) {
+    report.row(name, truth(hit), meaning);
+    program.result(place, hit);
+  };
+  tell_test("hitTestObject", "/hit_tests/boxes", hit_test_object(stage.leaf, stage.hook),
+            {"box against box", "範圍框對範圍框"});
+  tell_test("shape against shape", "/hit_tests/shapes", overlap(stage.leaf, stage.hook),
+            {"what it cannot tell", "實際形體"});
+  tell_test("hitTestPoint", "/hit_tests/point_in_box", hit_test_point(stage.leaf, stage.pointer),
+            {"the pointer against a bounding box", "滑鼠對範圍框"});
+  tell_test("with shapeFlag", "/hit_tests/point_in_shape", hit_test_point(stage.leaf, stage.pointer, true),
+            {"against the shape itself", "滑鼠對形狀"});
 }
 //! [report]
 
@@ -234,6 +238,7 @@ struct Scene {
   long objects = 1000;
   long seed = 1;
   std::string mesh;
+  Places places;
 };
 
 // The triangles of a mesh, or as many as are asked for.
@@ -257,21 +262,25 @@ int main(int argc, char** argv) {
   program.option(
       "--mesh", scene.mesh, "FILE",
       "search the triangles of this mesh instead (OBJ, OFF, PLY, STL); progress is shown if it is large");
+  program.option("--leaf", scene.places.leaf, "x,y", "where the leaf of the hit tests stands");
+  program.option("--hook", scene.places.hook, "x,y", "where the hook stands");
+  program.option("--pointer", scene.places.pointer, "x,y", "where the pointer is");
   return program.run(argc, argv, [&] {
     if (program.given("--mesh") && program.given("--objects"))
       throw Refused("--objects " + std::to_string(scene.objects) + ": must not be given with --mesh");
     const auto triangles = program.checked("--mesh", [&] { return triangles_of(scene); });
     const auto seed = static_cast<std::uint64_t>(scene.seed);
+    const Stage stage(scene.places);
     const Costs costs(triangles, seed);
     tell(program, costs);
     tell_log8(program.report(), seed);
     tell_same_side(program.report());
     tell_grown_planes(program);
-    tell_hit_tests(program.report());
+    tell_hit_tests(program, stage);
     note_costs(program, costs, triangles);
     note_depths(program, seed);
     note_faults(program, seed);
-    if (program.draws()) draw_partitioning_figures(program, seed);
+    if (program.draws()) draw_partitioning_figures(program, seed, stage);
   });
 }
 //! [main]

@@ -42,6 +42,7 @@ const std::vector<Bad> all_bad{
     {"partitioning", {"--objects", "many"}, {"--objects", "many", "whole number"}},
     {"partitioning", {"--seed", "0.5"}, {"--seed", "0.5", "whole number"}},
     {"partitioning", {"--mesh", "/nowhere/at.off"}, {"--mesh", "/nowhere/at.off"}},
+    {"partitioning", {"--pointer", "1"}, {"--pointer", "1", "2 numbers"}},
     {"general_sphere", {"--radius", "-0.1"}, {"--radius", "-0.1", "not be negative"}},
     {"general_sphere", {"--mesh", "/nowhere/at.off"}, {"--mesh", "/nowhere/at.off"}},
     {"general_sphere",
@@ -133,6 +134,15 @@ TEST_CASE("Numbers in JSON are read back as the doubles that they were") {
 
 TEST_CASE("A contact that does not happen is null") {
   CHECK(json_of("plane", {"--to", "0,0,9"})["contact"].is_null());
+}
+
+TEST_CASE("A pointer in the leaf is found by both hit tests, one beside it by that of the box alone") {
+  const json inside = json_of("partitioning", {"--leaf", "5,5", "--pointer", "6,6"});
+  const json beside = json_of("partitioning", {"--leaf", "5,5", "--pointer", "7.5,7.5"});
+  CHECK(inside["hit_tests"]["point_in_box"] == true);
+  CHECK(inside["hit_tests"]["point_in_shape"] == true);
+  CHECK(beside["hit_tests"]["point_in_box"] == true);
+  CHECK(beside["hit_tests"]["point_in_shape"] == false);
 }
 
 TEST_CASE("Without gnuplot a program writes scripts and numbers, and says what is missing") {

@@ -1,6 +1,5 @@
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
-#include "stage.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;
@@ -39,8 +38,7 @@ void add_pointer(figure::Scene& scene, const Point& tip) {
 
 }  // namespace
 
-void draw_hit_tests(const Studio& studio) {
-  const Stage stage;
+void draw_hit_tests(const Studio& studio, const Stage& stage) {
   figure::Scene scene({0, 0}, 0.04);
   const auto title = [&](const Vector& shift, double middle, const std::string& call, bool hit) {
     scene.label(call, shift + Vector(middle, -0.55, 0));

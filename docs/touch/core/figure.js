@@ -140,7 +140,7 @@ export class Figure {
   show() {
     const width = this.picture.clientWidth, {own, state} = this;
     if (!width || !this.ask) return;
-    this.answer = this.ask(own.program, ...own.numbers(state));
+    this.answer = this.ask(own.asks ?? own.program, ...own.numbers(state));
     const pens = pensFor(own.views, width), last = pens.at(-1), height = Math.ceil(last.corner[1] + last.height);
     this.picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
     this.picture.style.height = `${height}px`;

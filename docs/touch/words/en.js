@@ -22,6 +22,20 @@ export const words = {
     seen: (first, count) => `Of ${count} frames, number ${first} is the first to show them together.`,
   },
 
+  'hit-test': {
+    title: 'A leaf, a hook and a pointer on a stage',
+    caption: `<b>To touch.</b> Drag the pointer, the leaf and the hook. <code>hitTestPoint</code> asks the box of the leaf or, with its flag,
+      the leaf itself: a ray to the right counts how often it crosses the outline. <code>hitTestObject</code> asks the two boxes, and
+      green is what it cannot tell.`,
+    pointer: 'the pointer', leaf: 'the corner of the leaf', hook: 'the corner of the hook',
+    crossings: 'crossings', shapes: 'the shapes', whether: (is) => is ? 'true' : 'false',
+    inside: (count) => `The pointer is in the leaf: its ray crosses the outline ${count === 1 ? 'once' : `${count} times`}, an odd number.`,
+    inBox: (count) => `The pointer is in the box of the leaf and not in the leaf: its ray crosses the outline ${
+      count === 0 ? 'nowhere' : count === 2 ? 'twice' : `${count} times`}.`,
+    outside: 'The pointer is outside the box of the leaf.',
+    meet: 'The two shapes touch.', boxesMeet: 'The two boxes overlap, and the shapes do not.', apart: 'The two boxes are apart.',
+  },
+
   'moving-spheres': {
     title: 'Two moving balls, in the world and as seen from Q',
     caption: `<b>To touch.</b> Drag both ends of both motions, in the world. The other picture is the same seen from <i>Q</i>: a point
