@@ -27,7 +27,8 @@ export const hitTest = {
     const box = ({box}, hit) => pen.path(cornersOf(box), hit ? 'box hit' : 'offset', true);
     return [[
       box(leaf, tests.boxes || tests.point_in_box), box(hook, tests.boxes),
-      shape(leaf, tests.point_in_shape || tests.shapes ? 'shape hit' : 'shape'), shape(hook, tests.shapes ? 'shape hit' : 'shape'),
+      shape(leaf, tests.point_in_shape || tests.shapes ? 'shape hit' : 'shape'),
+      shape(hook, tests.shapes ? 'shape hit' : 'shape'),
       pen.line(pointer, [view.right, y], 'thin'), ...crossings.map((each) => pen.dot([each, y], 'dot', 4.2)),
       pen.path(arrow.map(([u, v]) => [x + u, y + v]), 'pointer', true),
     ]];
