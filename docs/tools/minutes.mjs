@@ -4,7 +4,7 @@ import {codeOf} from './cost.mjs';
 import {read} from './book.mjs';
 
 const wordsAMinute = 150, linesAMinute = 25, formulasAMinute = 2;
-const notRead = [/<!--[\s\S]*?-->/g, /^<details>[\s\S]*?^<\/details>$/gm, /^\*\*Ask yourself.*$/gm, /^\$\$[\s\S]+?\$\$$/gm, /^\\.*$/gm, /^```[\s\S]*?^```$/gm, /^!\[.*$/gm];
+const notRead = [/<!--[\s\S]*?-->/g, /^<details>[\s\S]*?^<\/details>$/gm, /^\*\*Ask yourself.*$/gm, /^\*\*To search for.*$/gm, /^\$\$[\s\S]+?\$\$$/gm, /^\\.*$/gm, /^```[\s\S]*?^```$/gm, /^!\[.*$/gm];
 
 function linesOf(text) {
   const listings = [...text.matchAll(/^\\snippet (\S+) (\S+)$/gm)];
