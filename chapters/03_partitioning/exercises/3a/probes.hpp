@@ -58,9 +58,11 @@ inline Exercise<Signature> exercise() {
     Vector V = chance.vector(12);
     if (chance.below(3) == 0) V.y = 0;
     if (chance.below(3) == 0) V.z = 0;
-    return std::tuple{Bounds{corner, corner + Vector{chance.number(0.25, 4), chance.number(0.25, 4),
-                                                     chance.number(0.25, 4)}},
-                      chance.vector(5), V};
+    const Vector size{chance.number(0.25, 4), chance.number(0.25, 4), chance.number(0.25, 4)};
+    Point S0 = chance.vector(5);
+    if (chance.below(2) == 0)  // aimed: in the box, or close to it, at some time
+      S0 = corner + 0.5 * size + chance.number(0, 0.625) * size - chance.number(0, 1) * V;
+    return std::tuple{Bounds{corner, corner + size}, S0, V};
   };
   probes.allowed = [](const auto& input) {
     const Vector size = std::get<0>(input).most - std::get<0>(input).least;

@@ -36,8 +36,13 @@ inline Exercise<Signature> exercise() {
       {"a long edge", {{0, -50, 0}, {0, 50, 0}, {0, 10, 3}, {1, 20, -4}, 1}},
   };
   probes.random = [](Chance& chance) {
-    return std::tuple{chance.vector(3), chance.vector(3), chance.vector(4), chance.vector(8),
-                      chance.number(0.25, 2)};
+    const Point a = chance.vector(3), b = chance.vector(3);
+    Point S0 = chance.vector(4);
+    const Vector V = chance.vector(8);
+    const double r = chance.number(0.25, 2);
+    if (chance.below(2) == 0)  // aimed: at some time the ball is near a point of the edge, or just beyond it
+      S0 = a + chance.number(-0.25, 1.25) * (b - a) + chance.vector(0.5 * r) - chance.number(0, 1) * V;
+    return std::tuple{a, b, S0, V, r};
   };
   probes.allowed = [](const auto& input) {
     const auto& [begin, end, S0, V, r] = input;

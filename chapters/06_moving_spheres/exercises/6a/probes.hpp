@@ -49,14 +49,12 @@ inline Exercise<Signature> exercise() {
   probes.names = {"P", "Vp", "Q", "Vq", "d", "from", "to"};
   probes.chosen = chosen();
   probes.random = [](Chance& chance) {
-    const double from = chance.number(-3, 3);
-    return std::tuple{chance.vector(5),
-                      chance.vector(6),
-                      chance.vector(5),
-                      chance.vector(6),
-                      chance.number(0.5, 5),
-                      from,
-                      from + chance.number(0.25, 3)};
+    const Vector Vp = chance.vector(6), Q = chance.vector(5), Vq = chance.vector(6);
+    const double d = chance.number(0.5, 5), from = chance.number(-3, 3), to = from + chance.number(0.25, 3);
+    Point P = chance.vector(5);
+    if (chance.below(2) == 0)  // aimed: within d of each other, at some time in the span
+      P = Q + chance.vector(0.5 * d) - chance.number(from, to) * (Vp - Vq);
+    return std::tuple{P, Vp, Q, Vq, d, from, to};
   };
   probes.allowed = [](const auto& input) {
     return std::get<4>(input) > 0 && std::get<5>(input) < std::get<6>(input);
