@@ -72,6 +72,7 @@ export const otherPages = [
   {id: 'fast-tree', letter: 'A', title: 'Appendix A · How the fast tree works', short: 'How the fast tree works', needs: [3, 4]},
   {id: 'crowds', letter: 'B', title: 'Appendix B · A hundred thousand balls', short: 'A hundred thousand balls', needs: [3, 6]},
   {id: 'jaw', letter: 'C', title: 'Appendix C · A jaw opens', short: 'A jaw opens', needs: [4]},
+  {id: 'engines', letter: 'D', title: 'Appendix D · How the engines do it', short: 'How the engines do it', needs: [4]},
   {id: 'library', title: 'The library, file by file', isLibrary: true},
   {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', isLibrary: true, folders: ['geometry']},
   {id: 'library-mesh-io', title: 'Meshes in files, file by file', short: 'mesh_io', isLibrary: true,
