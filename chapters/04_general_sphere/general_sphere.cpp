@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
-#include <system_error>
 
 #include "accuracy.hpp"
 #include "casts.hpp"
@@ -14,6 +12,7 @@
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/mesh_report.hpp"
+#include "first_contact/program/one_file.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
@@ -183,12 +182,6 @@ void note_faults(Program& program, const Environment& environment, const Moving<
 Environment environment_of(Program& program, const Scene& scene) {
   if (!program.given("--mesh")) return Environment(cut_cube());
   return program.checked("--mesh", [&] { return Environment(load_mesh(scene.mesh)); });
-}
-
-// A device may be both: what is read from a terminal may be answered there.
-bool are_one_file(const std::string& one, const std::string& other) {
-  std::error_code none;
-  return std::filesystem::is_regular_file(one, none) && std::filesystem::equivalent(one, other, none);
 }
 
 // All casts are read, checked and made before anything is written.

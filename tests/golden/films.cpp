@@ -181,6 +181,20 @@ TEST_CASE("The moving picture is where the table says, at each of its times") {
   }
 }
 
+TEST_CASE("A table does not take the place of the film that it is made from") {
+  check_refused(bounce, "--csv ./film.json: must be another file than --film\n", {"--csv", "./film.json"});
+}
+
+TEST_CASE("Whatever a film's file is called, its pictures have names that any script can say") {
+  const TemporaryFolder folder;
+  const std::string name = "my \"film\"; `x` 球.json";
+  write(folder.path() / name, bounce);
+  const Run run = run_program("tween_bounce", {"--film", name, "--out", "out", "--fps", "5"}, folder.path());
+  CAPTURE(run.err);
+  CHECK(run.status == 0);
+  CHECK(fs::exists(folder.path() / "out" / "my--film----x--球.svg"));
+}
+
 TEST_CASE(
     "A film draws a still picture, a script, and one that moves, which is still for those who ask for less "
     "motion") {

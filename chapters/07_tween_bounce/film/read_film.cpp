@@ -1,6 +1,7 @@
 #include "read_film.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "entry.hpp"
 #include "first_contact/files/decimal.hpp"
@@ -167,6 +168,17 @@ bool stands_in(const Actor& actor, const FilmKey& key, const Wall& wall) {
       wall);
 }
 
+// Of a file's name what a picture's name may have in every script: letters of any language, digits, - and _.
+std::string picture_name(std::string stem) {
+  const auto is_plain = [](unsigned char letter) {
+    return letter >= 0x80 || std::isalnum(letter) || letter == '_';
+  };
+  std::replace_if(
+      stem.begin(), stem.end(), [&](char letter) { return !is_plain(static_cast<unsigned char>(letter)); },
+      '-');
+  return stem;
+}
+
 }  // namespace
 
 Film film_of(const std::string& text, const std::string& name, const std::filesystem::path& folder) {
@@ -193,7 +205,7 @@ Film film_named(const std::string& word) {
   if (word.find_first_of("./\\") == std::string::npos)
     throw FilmError("must be a JSON file, or one of " + scene_names());
   const std::filesystem::path file = word;
-  return film_of(read_file(file), file.stem().string(), file.parent_path());
+  return film_of(read_file(file), picture_name(file.stem().string()), file.parent_path());
 }
 
 }  // namespace tween_bounce

@@ -1,6 +1,7 @@
 #include "run.hpp"
 
 #include "figures/figures.hpp"
+#include "first_contact/program/one_file.hpp"
 #include "read_film.hpp"
 #include "scenes.hpp"
 #include "showing.hpp"
@@ -86,6 +87,8 @@ bool run_film(Program& program, const FilmOptions& options, const std::string& t
   require_film_alone(program, !options.word.empty());
   if (options.word.empty()) return false;
   const Film film = program.checked("--film", [&] { return film_named(options.word); });
+  if (are_one_file(options.word, table))
+    throw Refused("--csv " + table + ": must be another file than --film");
   const double until = frozen_at(program, film, options.at);
   const auto times = program.checked({"--film", "--fps"},
                                      [&] { return picture_times(film.begin(), until, options.per_second); });
