@@ -51,11 +51,11 @@ if (theme eq "grey") {
   ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 720,222 font font . ",17" fontscale letters rounded background rgb "#ffffff"
+  set terminal svg enhanced size 540,174 font font . ",17" fontscale letters rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size magnify * 1440,magnify * 444 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
+  set terminal pngcairo enhanced size magnify * 1080,magnify * 348 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size magnify * 7.500000,magnify * 2.312500 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
+  set terminal pdfcairo enhanced size magnify * 5.625000,magnify * 1.812500 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
 } }
 set output "de-casteljau." . format
 
@@ -82,19 +82,19 @@ set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
 unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [-0.993:12.893]
-set yrange [-1.193:3.093]
+set yrange [-1.393:3.093]
 set label "{/:Italic P}_0" at 0,0 center offset character -1.3,0 front tc rgb INK
 set label "{/:Italic P}_1" at 0.7,2.2 center offset character -1,0.7 front tc rgb INK
 set label "{/:Italic P}_2" at 3,1.5 center offset character 1.4,0.3 front tc rgb INK
-set label "on both sides" at 1.5,-0.55 center offset character 0,0 front tc rgb INK
+set label "both sides" at 1.6,-0.75 center offset character 0,0 front tc rgb INK
 set label "{/:Italic P}_0" at 4.5,0 center offset character -1.3,0 front tc rgb INK
 set label "{/:Italic P}_1" at 5.2,2.2 center offset character -1,0.7 front tc rgb INK
 set label "{/:Italic P}_2" at 7.5,1.5 center offset character 1.4,0.3 front tc rgb INK
-set label "between the two" at 6,-0.55 center offset character 0,0 front tc rgb INK
+set label "between" at 6.1,-0.75 center offset character 0,0 front tc rgb INK
 set label "{/:Italic P}_0" at 9,0 center offset character -1.3,0 front tc rgb INK
 set label "{/:Italic P}_1" at 9.7,2.2 center offset character -1,0.7 front tc rgb INK
 set label "{/:Italic P}_2" at 12,1.5 center offset character 1.4,0.3 front tc rgb INK
-set label "at every {/:Italic s}" at 10.5,-0.55 center offset character 0,0 front tc rgb INK
+set label "every {/:Italic s}" at 10.6,-0.75 center offset character 0,0 front tc rgb INK
 $s0 << EOD
 0 0
 0.7 2.2

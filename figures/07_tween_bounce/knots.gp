@@ -51,11 +51,11 @@ if (theme eq "grey") {
   ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 720,280 font font . ",17" fontscale letters rounded background rgb "#ffffff"
+  set terminal svg enhanced size 560,260 font font . ",17" fontscale letters rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size magnify * 1440,magnify * 560 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
+  set terminal pngcairo enhanced size magnify * 1120,magnify * 520 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size magnify * 7.500000,magnify * 2.916667 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
+  set terminal pdfcairo enhanced size magnify * 5.833333,magnify * 2.708333 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
 } }
 set output "knots." . format
 
@@ -670,8 +670,8 @@ $clamped6 << EOD
 3.95 0.85738
 4 1
 EOD
-set lmargin at screen 0.075
-set rmargin at screen 0.485
+set lmargin at screen 0.1
+set rmargin at screen 0.5
 set label 1 "clamped" at graph 0.5, -0.4 center tc rgb INK
 plot $clamped0 with lines lc rgb BLUE lw 2, $clamped1 with lines lc rgb RED lw 2, $clamped2 with lines lc rgb GREEN lw 2, $clamped3 with lines lc rgb PINK lw 2, $clamped4 with lines lc rgb ORANGE lw 2, $clamped5 with lines lc rgb SKY lw 2, $clamped6 with lines lc rgb INK lw 2
 $loose0 << EOD
@@ -1255,7 +1255,7 @@ $loose6 << EOD
 3.95 0.1429
 4 0.16667
 EOD
-set lmargin at screen 0.575
+set lmargin at screen 0.585
 set rmargin at screen 0.985
 set label 1 "not clamped" at graph 0.5, -0.4 center tc rgb INK
 plot $loose0 with lines lc rgb BLUE lw 2, $loose1 with lines lc rgb RED lw 2, $loose2 with lines lc rgb GREEN lw 2, $loose3 with lines lc rgb PINK lw 2, $loose4 with lines lc rgb ORANGE lw 2, $loose5 with lines lc rgb SKY lw 2, $loose6 with lines lc rgb INK lw 2

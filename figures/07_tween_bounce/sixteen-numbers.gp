@@ -51,11 +51,11 @@ if (theme eq "grey") {
   ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 720,269 font font . ",17" fontscale letters rounded background rgb "#ffffff"
+  set terminal svg enhanced size 560,197 font font . ",17" fontscale letters rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size magnify * 1440,magnify * 538 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
+  set terminal pngcairo enhanced size magnify * 1120,magnify * 394 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size magnify * 7.500000,magnify * 2.802083 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
+  set terminal pdfcairo enhanced size magnify * 5.833333,magnify * 2.052083 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
 } }
 set output "sixteen-numbers." . format
 
@@ -81,13 +81,13 @@ set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
 set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
 unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-3.48305296:11.2357007]
-set yrange [-4.43305296:1.07285506]
+set xrange [-4.50305296:11.2557007]
+set yrange [-4.45305296:1.09285506]
 set label "{/:Italic s} = 0" at 0,-4.15 center offset character 0,0 front tc rgb INK
-set label "{/:Italic s} = 0.25" at 2.5,-4.15 center offset character 0,0 front tc rgb INK
-set label "{/:Italic s} = 0.5" at 5,-4.15 center offset character 0,0 front tc rgb INK
-set label "{/:Italic s} = 0.75" at 7.5,-4.15 center offset character 0,0 front tc rgb INK
-set label "{/:Italic s} = 1" at 10,-4.15 center offset character 0,0 front tc rgb INK
+set label "0.25" at 2.5,-4.15 center offset character 0,0 front tc rgb INK
+set label "0.5" at 5,-4.15 center offset character 0,0 front tc rgb INK
+set label "0.75" at 7.5,-4.15 center offset character 0,0 front tc rgb INK
+set label "1" at 10,-4.15 center offset character 0,0 front tc rgb INK
 set label "numbers" at -1.4,-2.77555756e-17 right offset character 0,0 front tc rgb PINK
 set label "angle" at -1.4,-2.7 right offset character 0,0 front tc rgb ORANGE
 $s0 << EOD

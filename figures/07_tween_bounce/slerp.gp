@@ -51,11 +51,11 @@ if (theme eq "grey") {
   ORANGE = hues[7]; AMBER = hues[8]; PINK = hues[9]; YELLOW = hues[10]; FLOOR = hues[11]; SHADOW = hues[12]; MIST = hues[13]
 }
 if (format eq "svg") {
-  set terminal svg enhanced size 720,235 font font . ",17" fontscale letters rounded background rgb "#ffffff"
+  set terminal svg enhanced size 560,183 font font . ",17" fontscale letters rounded background rgb "#ffffff"
 } else { if (format eq "png") {
-  set terminal pngcairo enhanced size magnify * 1440,magnify * 470 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
+  set terminal pngcairo enhanced size magnify * 1120,magnify * 366 font font . ",17" fontscale 2 * magnify * letters linewidth 2 * magnify pointscale 2 * magnify rounded background rgb PAPER
 } else {
-  set terminal pdfcairo enhanced size magnify * 7.500000,magnify * 2.447917 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
+  set terminal pdfcairo enhanced size magnify * 5.833333,magnify * 1.906250 font font . ",13" fontscale 0.5 * magnify * letters linewidth magnify rounded background rgb PAPER
 } }
 set output "slerp." . format
 

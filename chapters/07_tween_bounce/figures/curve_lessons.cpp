@@ -53,14 +53,13 @@ void draw_de_casteljau(const Program& program) {
     if (panel < 2)
       for (const Point& q : {a, b}) scene.dot(q, colour::blue);
     if (panel > 0) scene.dot(mix(a, b, s), colour::red);
-    const Text words[]{{"on both sides", "兩邊各補一點"},
-                       {"between the two", "兩點之間再補"},
-                       {"at every {/:Italic s}", "每個 {/:Italic s}"}};
-    scene.label(program.say(words[panel]), {panel * apart + 1.5, -0.55, 0});
+    const Text words[]{
+        {"both sides", "兩邊各一點"}, {"between", "兩點之間"}, {"every {/:Italic s}", "每個 {/:Italic s}"}};
+    scene.label(program.say(words[panel]), {panel * apart + 1.6, -0.75, 0});
   }
-  scene.make_room({-0.6, -0.8, 0});
+  scene.make_room({-0.6, -1, 0});
   scene.make_room({2 * apart + 3.5, 2.7, 0});
-  Figure figure(program.studio(), "de-casteljau", scene.size());
+  Figure figure(program.studio(), "de-casteljau", scene.size(540));
   scene.draw(figure);
   figure.draw();
 }
@@ -81,7 +80,7 @@ void draw_knots(const Program& program) {
   const std::vector<double> clamped{0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4},
       loose{-3, -2, -1, 0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr const char* pens[]{"BLUE", "RED", "GREEN", "PINK", "ORANGE", "SKY", "INK"};
-  Figure figure(program.studio(), "knots", {720, 280});
+  Figure figure(program.studio(), "knots", {560, 260});
   std::ostream& out = figure.script();
   out << "unset key\nset xrange [-0.08:4.08]\nset yrange [-0.04:1.08]\nset xtics 1 font \",14\"\nset ytics "
          "0.5 font \",14\"\n"
@@ -95,12 +94,12 @@ void draw_knots(const Program& program) {
       clauses +=
           (i ? ", $" : "plot $") + name + std::to_string(i) + " with lines lc rgb " + pens[i] + " lw 2";
     }
-    out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.41 << "\nset label 1 \""
+    out << "set lmargin at screen " << left << "\nset rmargin at screen " << left + 0.4 << "\nset label 1 \""
         << program.say(words) << "\" at graph 0.5, -0.4 center tc rgb INK\n"
         << clauses << "\n";
   };
-  panel("clamped", 0.075, clamped, {"clamped", "端點固定"});
-  panel("loose", 0.575, loose, {"not clamped", "端點未固定"});
+  panel("clamped", 0.1, clamped, {"clamped", "端點固定"});
+  panel("loose", 0.585, loose, {"not clamped", "端點未固定"});
   out << "unset multiplot\n";
   figure.draw();
 }
@@ -115,7 +114,7 @@ void draw_through(const Program& program) {
   scene.label(program.say({"evenly spaced knots", "結點等距"}), {3.75, 2, 0}, 0, 0, colour::pink,
               Align::left);
   scene.label(program.say({"centripetal", "向心"}), {4.9, 0.95, 0}, 0, 0, colour::green, Align::left);
-  Figure figure(program.studio(), "through", scene.size());
+  Figure figure(program.studio(), "through", scene.size(600));
   scene.draw(figure);
   figure.draw();
 }
@@ -159,7 +158,7 @@ void draw_chord(const Program& program) {
       scene.label("{/:Italic r} + {/:Italic d}", under - Vector(0, 0.6 * (r + d), 0), 2.6, 0);
     }
   }
-  Figure figure(program.studio(), "chord", scene.size());
+  Figure figure(program.studio(), "chord", scene.size(600));
   scene.draw(figure);
   figure.draw();
 }

@@ -30,14 +30,15 @@ void draw_sixteen_numbers(const Program& program) {
         scene.line({middle - Vector(0, 0, 0.5), middle + Vector(0, 0, 0.5)}, {colour::pink, 2.4});
       // a corner that one can follow
       scene.dot(middle + (r - t) / 2 + Vector(0, 0, 0.5), colour::ink);
-      if (row == 1) scene.label("{/:Italic s} = " + program::readable(s), middle - 1.45 * view.up());
+      if (row == 1)
+        scene.label((i == 0 ? "{/:Italic s} = " : "") + program::readable(s), middle - 1.45 * view.up());
     }
   for (int row = 0; row < 2; ++row)
     scene.label(row == 0 ? program.say({"numbers", "數字"}) : program.say({"angle", "角度"}),
                 -1.4 * view.right() - 2.7 * row * view.up(), 0, 0, row == 0 ? colour::pink : colour::orange,
                 Align::right);
-  scene.make_room(-3.2 * view.right());
-  Figure figure(program.studio(), "sixteen-numbers", scene.size());
+  scene.make_room(-4.2 * view.right());
+  Figure figure(program.studio(), "sixteen-numbers", scene.size(560));
   scene.draw(figure);
   figure.draw();
 }
@@ -72,7 +73,7 @@ void draw_slerp(const Program& program) {
   }
   scene.make_room({0, 1.12, 0});
   scene.make_room({0, -0.2, 0});
-  Figure figure(program.studio(), "slerp", scene.size());
+  Figure figure(program.studio(), "slerp", scene.size(560));
   scene.draw(figure);
   figure.draw();
 }
