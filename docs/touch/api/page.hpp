@@ -7,7 +7,7 @@
 #include "first_contact/geometry/space.hpp"
 
 /// A function that the page calls by its name.
-#define FOR_THE_PAGE(name) extern "C" __attribute__((export_name(#name))) void name
+#define FOR_THE_PAGE(name) extern "C" __attribute__((export_name(#name))) void touch_##name
 
 namespace touch {
 

@@ -51,6 +51,7 @@ export class Figure {
     this.drawing = mark('g', {'aria-hidden': true});
     this.picture = mark('svg', {role: 'group', 'aria-label': words.title, 'aria-describedby': `${this.id}-told`},
                         this.drawing, ...this.handles.map(({element}) => element));
+    if (own.rightButton) this.aim(own.rightButton);
     this.answers = make('dl', {className: 'answers'});
     this.told = make('p', {className: 'told', id: `${this.id}-told`});
     this.link = make('a', {textContent: words.link});
@@ -63,6 +64,25 @@ export class Figure {
       make('details', {}, make('summary', {textContent: words.run}), make('pre', {className: 'shell', tabIndex: 0}, this.line)),
       make('figcaption', {innerHTML: words.caption}));
     this.element.hidden = false;
+  }
+
+  // A cross-hair follows the pointer, and the right button sets a place of the state there (paper, 2.4.3).
+  aim(name) {
+    const hair = mark('path', {class: 'hair', 'aria-hidden': true});
+    this.picture.append(hair);
+    const at = ({clientX, clientY}) => {
+      const {left, top} = this.picture.getBoundingClientRect();
+      return [clientX - left, clientY - top];
+    };
+    this.picture.addEventListener('pointermove', (event) => {
+      const [x, y] = at(event);
+      hair.setAttribute('d', `M${x},0V${this.pens[0].height}M0,${y}H${this.pens[0].width}`);
+    });
+    this.picture.addEventListener('pointerleave', () => hair.removeAttribute('d'));
+    this.picture.addEventListener('contextmenu', (event) => {
+      event.preventDefault();
+      this.change(name, this.pens[0].world(at(event)));
+    });
   }
 
   buttons() {
@@ -141,7 +161,7 @@ export class Figure {
     const width = this.picture.clientWidth, {own, state} = this;
     if (!width || !this.ask) return;
     this.answer = this.ask(own.asks ?? own.program, ...own.numbers(state));
-    const pens = pensFor(own.views, width), last = pens.at(-1), height = Math.ceil(last.corner[1] + last.height);
+    const pens = this.pens = pensFor(own.views, width), last = pens.at(-1), height = Math.ceil(last.corner[1] + last.height);
     this.picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
     this.picture.style.height = `${height}px`;
     for (const slider of this.sliders) slider.show(state[slider.name]);

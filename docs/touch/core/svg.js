@@ -19,15 +19,17 @@ function letters(text) {
   return parts;
 }
 
-/// A pen for a view {left, right, bottom, top} that is drawn `width` pixels wide, its upper left corner at `corner`.
+/// A pen for a view {left, right, bottom, top} that is drawn `width` pixels wide, its upper left corner at `corner`. A
+/// chart, whose axes have units of their own, is `tall` times as high as it is wide.
 export class Pen {
   constructor(view, width, corner = [0, 0]) {
     Object.assign(this, {view, width, corner, scale: width / (view.right - view.left)});
-    this.height = (view.top - view.bottom) * this.scale;
+    this.height = view.tall ? view.tall * width : (view.top - view.bottom) * this.scale;
+    this.upward = this.height / (view.top - view.bottom);
   }
 
   at([x, y]) {
-    return [this.corner[0] + (x - this.view.left) * this.scale, this.corner[1] + (this.view.top - y) * this.scale];
+    return [this.corner[0] + (x - this.view.left) * this.scale, this.corner[1] + (this.view.top - y) * this.upward];
   }
 
   /// What is drawn in this view; nothing goes beyond its edge.
@@ -38,7 +40,7 @@ export class Pen {
 
   /// From the paper back to the world.
   world([x, y]) {
-    return [this.view.left + (x - this.corner[0]) / this.scale, this.view.top - (y - this.corner[1]) / this.scale];
+    return [this.view.left + (x - this.corner[0]) / this.scale, this.view.top - (y - this.corner[1]) / this.upward];
   }
 
   ball(center, radius, kind) {
@@ -73,6 +75,19 @@ export class Pen {
   /// The name of a view, in its upper left corner.
   caption(text) {
     return mark('text', {x: this.corner[0], y: this.corner[1] + 16, class: 'view'}, text);
+  }
+
+  /// Words at a place.
+  words(text, place, [dx, dy] = [0, 0], kind = 'words', anchor = 'start') {
+    const [x, y] = this.at(place);
+    return mark('text', {x: x + dx, y: y + dy, class: kind, 'text-anchor': anchor}, text);
+  }
+
+  /// Axes through the origin, with a number at each tic.
+  axes(xs, ys) {
+    return [this.path([[xs[0], ys.at(-1)], [xs[0], ys[0]], [xs.at(-1), ys[0]]], 'axis'),
+            ...xs.map((x) => this.words(x, [x, ys[0]], [0, 17], 'tic', 'middle')),
+            ...ys.slice(1).map((y) => this.words(y, [xs[0], y], [-5, 4], 'tic', 'end'))];
   }
 
   /// Letters beside a place, moved by pixels on the paper.

@@ -4,3 +4,4 @@ export {hitTest as 'hit-test'} from './hit_test.js';
 export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';
 export {plane} from './plane.js';
 export {slide} from './slide.js';
+export {tweenBounce as 'tween-bounce'} from './tween_bounce.js';

@@ -87,4 +87,22 @@ export const words = {
     stands: (end) => `and stands at ${end}: every way on leads into a wall, or back.`,
     free: 'The ball meets nothing on its way.',
   },
+
+  'tween-bounce': {
+    title: 'The ball of programs 1 to 3: its height over time',
+    caption: `<b>To touch.</b> Throw the ball, play, and freeze it at any time, as the paper does with Ctrl-C. Pink is the path as
+      printed, green that of a ball that obeys gravity. The paper then puts the word <span lang="zh-Hant">軌跡</span>, path, where one points: here by the
+      right button, or by its handle.`,
+    v0: {html: 'speed down <i>v</i><sub>0</sub>', spoken: 'speed down at the start, v 0'},
+    y0: {html: 'height <i>y</i><sub>0</sub>', spoken: 'height at the start, y 0'},
+    g: {html: 'gravity <i>g</i>', spoken: 'gravity g'},
+    restitution: {html: 'restitution <i>e</i>', spoken: 'restitution e'},
+    dt: {html: 'step Δ<i>t</i>', spoken: 'time from sample to sample'},
+    time: {html: 'time <i>t</i>', spoken: 'time t'},
+    label: 'the place of the word 軌跡, path', path: '軌跡',
+    height: 'height at <i>t</i>', hit: 'first hit', speed: 'speed there', top: 'top of the rebound',
+    hits: (printed, t1) => `As printed the ball hits the floor at <i>t</i> = ${printed}; if it obeys gravity, at ${t1}.`,
+    never: 'As printed the ball does not hit the floor.',
+    frozen: (t, printed, truth) => `At <i>t</i> = ${t} it is ${printed} high as printed, and ${truth} if it obeys.`,
+  },
 };
