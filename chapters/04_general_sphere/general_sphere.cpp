@@ -28,7 +28,7 @@ namespace {
 
 //! [scene]
 struct Scene {
-  std::string mesh = "cut cube";
+  std::string mesh, solid = "cut-cube";
   Point from{2.6, -0.5, 2.0};
   Point to{0.4, 0.1, 0.5};
   double radius = 0.35;
@@ -87,17 +87,6 @@ void tell_contact(Program& program, const Moving<Sphere>& moving, const std::opt
       .result("/contact/feature");
   program.row("triangle", contact->triangle, {"its number, from 0", "三角形編號"})
       .result("/contact/triangle");
-}
-
-// The earliest of the paper's cylinders about moved-out edges.
-std::optional<double> printed_time(const Moving<Sphere>& moving, const Environment& environment) {
-  std::optional<double> first;
-  for (const auto& edge : environment.topology().edges()) {
-    if (edge.kind != EdgeKind::convex) continue;
-    const auto t = time_of_printed_cylinder(moving, environment, edge);
-    if (t && (!first || *t < *first)) first = t;
-  }
-  return first;
 }
 
 std::string or_none(const std::optional<double>& value) { return value ? readable(*value) : "-"; }
@@ -179,8 +168,16 @@ void note_faults(Program& program, const Environment& environment, const Moving<
 }
 //! [notes]
 
+//! [studies]
+void tell_studies(Program& program, const Environment& environment, const Moving<Sphere>& moving) {
+  note_features(program, environment);
+  note_faults(program, environment, moving);
+  note_accuracy(program);
+}
+//! [studies]
+
 Environment environment_of(Program& program, const Scene& scene) {
-  if (!program.given("--mesh")) return Environment(cut_cube());
+  if (!program.given("--mesh")) return Environment(scene.solid == "prism" ? prism() : cut_cube());
   return program.checked("--mesh", [&] { return Environment(load_mesh(scene.mesh)); });
 }
 
@@ -205,6 +202,8 @@ int main(int argc, char** argv) {
   Scene scene;
   program.option("--mesh", scene.mesh, "FILE",
                  "the environment: an OBJ, OFF, PLY or STL file; progress is shown if it is large");
+  program.option("--solid", scene.solid, std::vector<std::string>{"cut-cube", "prism"},
+                 "the environment, if there is no mesh");
   program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
   program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
   program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
@@ -222,11 +221,10 @@ int main(int argc, char** argv) {
     tell_corrections(program.report(), moving, environment, contact);
     tell_order(program);
     tell_ray(program.report());
-    jaw::tell(program);
+    if (!program.results_alone()) jaw::tell(program);
     if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
-    note_features(program, environment);
-    note_faults(program, environment, moving);
-    note_accuracy(program);
+    program.result("/printed_time", printed_time(moving, environment));
+    if (!program.results_alone()) tell_studies(program, environment, moving);
     run_casts(program, scene, environment);
     if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
   });

@@ -36,6 +36,29 @@ Mesh cut_cube() {
            {7, 9, 8}}};
 }
 
+std::vector<Vector2> section_of_prism() {
+  return {{-1.6, -0.9}, {1.4, -0.9}, {1.4, 0.3}, {0.3, 1.1}, {-0.4, 0.4}, {-1.6, 0.6}};
+}
+
+Mesh prism() {
+  const auto section = section_of_prism();
+  const auto corners = static_cast<std::uint32_t>(section.size());
+  std::vector<Point> vertices;
+  std::vector<Mesh::Face> faces;
+  for (const double y : {-3.0, 3.0})
+    for (const Vector2& corner : section) vertices.emplace_back(corner.x(), y, corner.y());
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const std::uint32_t next = (i + 1) % corners;
+    faces.push_back({next, i, i + corners});
+    faces.push_back({next, i + corners, next + corners});
+  }
+  for (const Mesh::Face& end : {Mesh::Face{0, 4, 5}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}}) {
+    faces.push_back(end);
+    faces.push_back({end[2] + corners, end[1] + corners, end[0] + corners});
+  }
+  return {std::move(vertices), std::move(faces)};
+}
+
 Mesh step() {
   return {{{-2, -1, 0},
            {2, -1, 0},
@@ -51,20 +74,37 @@ Mesh step() {
 }
 
 //! [printed_cylinder]
-std::optional<double> time_of_printed_cylinder(const Moving<Sphere>& moving, const Environment& environment,
-                                               const MeshEdges::Edge& edge) {
+std::optional<std::array<Point, 2>> printed_axis(const Environment& environment, const MeshEdges::Edge& edge,
+                                                 double radius) {
   const auto sides = environment.topology().sides(edge);
   if (sides.size() != 2) return std::nullopt;
   const Vector n = environment.facet(sides[0].face).unit_normal(),
                m = environment.facet(sides[1].face).unit_normal();
-  const Vector out = moving.shape.radius / (1 + n.dot(m)) * (n + m);  // to where both moved-out faces meet
-  if (!out.allFinite()) return std::nullopt;  // faces folded onto each other: they meet nowhere
+  const Vector out = radius / (1 + n.dot(m)) * (n + m);  // to where both moved-out faces meet
+  if (!out.allFinite()) return std::nullopt;             // faces folded onto each other: they meet nowhere
   const auto& vertices = environment.mesh().vertices();
-  const Point a = vertices[edge.vertices[0]] + out, b = vertices[edge.vertices[1]] + out;
+  return std::array<Point, 2>{vertices[edge.vertices[0]] + out, vertices[edge.vertices[1]] + out};
+}
+
+std::optional<double> time_of_printed_cylinder(const Moving<Sphere>& moving, const Environment& environment,
+                                               const MeshEdges::Edge& edge) {
+  const auto axis = printed_axis(environment, edge, moving.shape.radius);
+  if (!axis) return std::nullopt;
+  const auto& [a, b] = *axis;
   const auto contact = sweep(moving, Triangle{a, b, b});  // a triangle without width is a segment
   return contact ? std::optional(contact->time) : std::nullopt;
 }
 //! [printed_cylinder]
+
+std::optional<double> printed_time(const Moving<Sphere>& moving, const Environment& environment) {
+  std::optional<double> first;
+  for (const auto& edge : environment.topology().edges()) {
+    if (edge.kind != EdgeKind::convex) continue;
+    const auto t = time_of_printed_cylinder(moving, environment, edge);
+    if (t && (!first || *t < *first)) first = t;
+  }
+  return first;
+}
 
 std::optional<Contact> first_face_in_the_list(const Moving<Sphere>& moving, const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.size(); ++i)

@@ -91,8 +91,8 @@ export const words = {
   'tween-bounce': {
     title: 'The ball of programs 1 to 3: its height over time',
     caption: `<b>To touch.</b> Throw the ball, play, and freeze it at any time, as the paper does with Ctrl-C. Pink is the path as
-      printed, green that of a ball that obeys gravity. The paper then puts the word <span lang="zh-Hant">軌跡</span>, path, where one points: here by the
-      right button, or by its handle.`,
+      printed, green that of a ball that obeys gravity. The paper then puts the word <span lang="zh-Hant">軌跡</span>, path, where one points: here
+      by the right button, or by its handle.`,
     v0: {html: 'speed down <i>v</i><sub>0</sub>', spoken: 'speed down at the start, v 0'},
     y0: {html: 'height <i>y</i><sub>0</sub>', spoken: 'height at the start, y 0'},
     g: {html: 'gravity <i>g</i>', spoken: 'gravity g'},
@@ -104,5 +104,19 @@ export const words = {
     hits: (printed, t1) => `As printed the ball hits the floor at <i>t</i> = ${printed}; if it obeys gravity, at ${t1}.`,
     never: 'As printed the ball does not hit the floor.',
     frozen: (t, printed, truth) => `At <i>t</i> = ${t} it is ${printed} high as printed, and ${truth} if it obeys.`,
+  },
+
+  'general-sphere': {
+    title: 'A ball and a solid with corners',
+    caption: `<b>To touch.</b> Drag both ends of the path, and change the radius. The grey outline is the solid moved out: straight
+      along the sides, round about the corners that point outwards. What is touched first lights up. Pink are the cylinders as
+      printed, about the corners moved out, and the ball that stops at the first of them.`,
+    from: 'S 0, the centre at the start', to: 'S 1, the centre at the end',
+    radius: {html: 'radius <i>r</i>', spoken: 'radius r'},
+    feature: 'touched', face: 'a side', edge: 'a corner', vertex: 'a vertex', cylinder: '<i>t</i>, cylinder as printed',
+    touches: (what, t) => `The ball touches ${what} first, at <i>t</i> = ${t}.`,
+    free: 'The ball touches nothing on its way.',
+    stops: (t) => `As printed it is stopped by a cylinder at <i>t</i> = ${t}.`,
+    noCylinder: 'It meets none of the cylinders as printed.',
   },
 };
