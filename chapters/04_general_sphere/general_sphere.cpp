@@ -223,7 +223,7 @@ int main(int argc, char** argv) {
     tell_ray(program.report());
     if (!program.results_alone()) jaw::tell(program);
     if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
-    program.result("/printed_time", printed_time(moving, environment));
+    if (const auto printed = printed_time(moving, environment)) program.result("/printed_time", *printed);
     if (!program.results_alone()) tell_studies(program, environment, moving);
     run_casts(program, scene, environment);
     if (program.draws()) draw_general_sphere_figures(program, environment, moving, contact);
