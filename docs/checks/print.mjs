@@ -47,8 +47,9 @@ function checkFill(places) {
   const starts = new Set(parts.filter(({under}) => !under).map(({id}) => places.get(id)));
   const first = Math.min(...starts);
   fill.forEach((part, i) => {
-    const number = i + 1, isLast = starts.has(number + 1) || starts.has(number + 2) || number === fill.length;
-    if (number >= first && !isLast && part < leastFill) complain(where, `page ${number} is filled to ${Math.round(100 * part)} % alone`);
+    const number = i + 1, isEmpty = part === 0 && /<word /.test(pages[i]);
+    const isLast = starts.has(number + 1) || starts.has(number + 2) || number === fill.length;
+    if (number >= first && (isEmpty || !isLast && part < leastFill)) complain(where, `page ${number} is filled to ${Math.round(100 * part)} % alone`);
   });
   return fill.reduce((sum, part) => sum + part, 0) / fill.length;
 }

@@ -50,7 +50,7 @@ function joinSentences(tree, id) {
     marks.push(from, to);
   });
   tree('.equation + p').filter((_, p) => /^[a-z]/.test(tree(p).text().trim())).addClass('goes-on-here');
-  tree('.textblock').append(`<div class="marks" aria-hidden="true">${marks.map((mark) => `<a href="#${mark}"></a>`).join('')}</div>`);
+  tree('.textblock').prepend(`<div class="marks" aria-hidden="true">${marks.map((mark) => `<a href="#${mark}"></a>`).join('')}</div>`);
 }
 
 const notReferred = '.chapter-head, .where-found, .told, .fragment, .where, summary, svg, nav, .chapter-map, .elsewhere';
