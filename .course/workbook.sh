@@ -126,7 +126,7 @@ ask_student() {
     printf '  figure      %s\n' "$picture.svg"
   fi
   if ((status == 0)); then remember "$id" right; else remember "$id" "not yet"; fi
-  ((status != 0)) || suggest_next
+  ((status != 0)) || suggest_next "$id"
   return $status
 }
 
@@ -136,7 +136,7 @@ show_warning() {
 
 suggest_next() {
   local next
-  next=$(next_exercise)
+  next=$(next_exercise "$1")
   if [[ -n "$next" ]]; then
     printf '  next        %s: %s\n' "$next" "$(folder_of "$next")/task.md"
   else
@@ -153,11 +153,17 @@ remember() {
 }
 known_of() { [[ ! -f "$progress_file" ]] || sed -n "s/^$1 //p" "$progress_file"; }
 
+# The first that is not solved; the first after this one, if any is: next_exercise [ID]
 next_exercise() {
-  local id
+  local id first="" passed=0
   for id in $(exercises); do
-    [[ "$(known_of "$id")" == right ]] || { echo "$id"; return; }
+    if [[ "$(known_of "$id")" != right ]]; then
+      ((!passed)) || { echo "$id"; return; }
+      [[ -n "$first" ]] || first=$id
+    fi
+    [[ "$id" != "${1:-}" ]] || passed=1
   done
+  echo "$first"
 }
 
 show_progress_of_student() {

@@ -12,7 +12,9 @@ stub_of() { git show "HEAD:./$1" 2>/dev/null || cat "$1"; }
 
 # A task as plain Markdown: what only the notes can show is left out.
 plain_task() {
-  sed -e '/^\\folded /d' -e 's/\[\([^]]*\)\]([^)]*\.md[^)]*)/\1/g' -e 's/\\vec //g' -e 's/\\cdot/·/g' -e 's/\\le/≤/g' "$1" | cat -s
+  sed -e '/^\\folded /d' -e 's/\[\([^]]*\)\]([^)]*\.md[^)]*)/\1/g' -e 's/\\vec //g' -e 's/\\\(abs\|norm\){\([^}]*\)}/|\2|/g' \
+    -e 's/\\tfrac\([0-9]\)\([0-9]\)/\1\/\2/g' -e 's/\\cdot/·/g' -e 's/\\times/×/g' -e 's/\\infty/∞/g' -e 's/\\varepsilon/ε/g' \
+    -e 's/\\le/≤/g' -e 's/\\ge/≥/g' -e 's/\\[,;]/ /g' "$1" | cat -s
 }
 
 copy_workbook() {

@@ -33,7 +33,7 @@ check "a class must be named" refused grade
 (cd "$place" && "$OLDPWD/course" workbook "$place/copy") >"$place/said" 2>&1
 check "a copy is made" [ -f "$place/copy/chapters/01_plane/exercises/1a/task.md" ]
 check "without solutions" eval '! find "$place/copy" | grep -q solution'
-check "its tasks are plain Markdown" eval '! grep -rqF -e "{{" -e "\\folded" -e ".md)" --include=task.md "$place/copy"'
+check "its tasks are plain Markdown" eval '! grep -rqF -e "{{" -e "\\" -e ".md)" --include=task.md "$place/copy"'
 
 # Everything below is typed into the copy, which holds all that it needs.
 head='std::optional<double> touch_time(Plane E, Point S0, Vector V, double r)'
@@ -47,6 +47,9 @@ ln -s "$place/copy/course" "$place/by_link"
 check "a copy works by a link" says "$(cd / && "$place/by_link" progress 2>&1)" "1a"
 check "an exercise without a name is refused" eval '! (cd "$place" && copy/course check "" >/dev/null 2>&1)'
 check "no escape reaches the terminal" eval '! (cd "$place" && copy/course $'"'"'\e[31mred'"'"' 2>&1) | grep -q $'"'"'\e'"'"''
+printf '%s\n' '#include "task.hpp"' 'double effective_radius(const Box& box, Vector N) {
+  return (std::abs(dot(N, box.R)) + std::abs(dot(N, box.S)) + std::abs(dot(N, box.T))) / 2; }' >"$place/2a.hpp"
+check "after an exercise comes the next one" says "$(cd "$place" && copy/course check 2a 2a.hpp 2>&1)" "next        2b"
 check "as handed out" says "$(cd "$place" && copy/course check 2>&1)" "as shipped"
 check "an index out of range" verdict "a crash (" "$head { std::vector<double> a(3); return a[7]; }"
 check "an empty optional" verdict "a crash (" "$head { std::optional<double> t; return *t; }"
