@@ -157,6 +157,7 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   const double one_sign = 0.5 * std::abs(n.dot(box.r + box.s + box.t));
   const Vector lengths(norm(box.r), norm(box.s), norm(box.t));
   for (int i = 0; i < 3; ++i) program.value("size." + std::to_string(i), lengths[i]);
+  program.result("/climbs", Vector(box.r.dot(n), box.s.dot(n), box.t.dot(n)));
   program.value("r_n", box.r.dot(n));
   program.value("s_n", box.s.dot(n));
   program.value("t_n", box.t.dot(n));
@@ -200,6 +201,15 @@ void note_studies(Program& program) {
 }
 //! [notes]
 
+//! [studies]
+void tell_studies(Program& program) {
+  tell_landings(program);
+  tell_sights(program.report(), program.language());
+  tell_bounding(program.report(), program.language());
+  note_studies(program);
+}
+//! [studies]
+
 }  // namespace
 
 //! [main]
@@ -223,11 +233,8 @@ int main(int argc, char** argv) {
     tell_scene(program, scene.plane, moving);
     tell_contact(program, moving, contact);
     tell_corrections(program.report(), scene.plane, box);
-    tell_landings(program);
-    tell_sights(program.report(), program.language());
-    tell_bounding(program.report(), program.language());
     note_scene(program, scene, moving);
-    note_studies(program);
+    if (!program.results_alone()) tell_studies(program);
     if (program.draws()) draw_box_figures(program, scene.plane, moving, contact);
   });
 }

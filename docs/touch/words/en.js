@@ -119,4 +119,18 @@ export const words = {
     stops: (t) => `As printed it is stopped by a cylinder at <i>t</i> = ${t}.`,
     noCylinder: 'It meets none of the cylinders as printed.',
   },
+
+  box: {
+    title: 'A box that is turned above a floor',
+    caption: `<b>To touch.</b> Turn the box, and drag both ends of its way. Three bars, one for each axis, reach from the floor twice
+      as high as the centre can come down: to the dashed plane. Turned one way alone the box lands on an edge, turned neither
+      way on a face.`,
+    from: 'Q 0, the centre at the start', to: 'Q 1, the centre at the end',
+    lean: {html: 'turn about <i>x</i>, degrees', spoken: 'turn about x, in degrees'},
+    turn: {html: 'turn about <i>y</i>, degrees', spoken: 'turn about y, in degrees'},
+    lands: 'lands on', vertex: 'a vertex', edge: 'an edge', face: 'a face',
+    reaches: (radius) => `To this floor the box is a ball of radius ${radius}.`,
+    touches: (what, t, count) => `It lands on ${what} at <i>t</i> = ${t}, with ${count} point${count > 1 ? 's' : ''} of contact.`,
+    free: 'It does not touch the floor on its way.',
+  },
 };
