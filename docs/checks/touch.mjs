@@ -1,4 +1,4 @@
-// The figures to touch: ten random states of each are compared with what the program prints for the line that the page
+// The figures to touch: the start of each and ten random states are compared with what the program prints for the line that the page
 // shows, bit for bit; then each is moved by a pointer, by the keyboard and by a finger, sent by its link, and seen by axe.
 import {execFileSync} from 'node:child_process';
 import {mkdirSync} from 'node:fs';
@@ -37,11 +37,11 @@ function printedBy(line, names) {
   return new Map([...flattened(JSON.parse(read(values))), ...results]);
 }
 
-// In the page: sets a state, parts of each parameter's range, and tells what the figure then shows.
+// In the page: sets a state, parts of each parameter's range, and tells what the figure then shows; without them it stays.
 function setState(element, parts) {
   const {figure} = element, entries = Object.entries(figure.own.parameters);
   const between = (least, most, part) => least + part * (most - least);
-  entries.forEach(([name, {least, most, isPlace}], i) => figure.change(name, isPlace
+  if (parts) entries.forEach(([name, {least, most, isPlace}], i) => figure.change(name, isPlace
     ? least.map((each, k) => between(each, most[k], parts[2 * i + k])) : between(least, most, parts[2 * i])));
   figure.show();
   return {answer: figure.answer, line: figure.line.textContent};
@@ -49,8 +49,8 @@ function setState(element, parts) {
 
 async function compareNumbers(figure, name) {
   const random = dice(seed), told = new Set(), seen = [];
-  for (let i = 0; i < states; ++i) {
-    const {answer, line} = await figure.evaluate(setState, Array.from({length: 40}, random));
+  for (let i = 0; i <= states; ++i) {
+    const {answer, line} = await figure.evaluate(setState, i ? Array.from({length: 40}, random) : null);
     if (answer.refused) complain(name, `${line}: ${answer.refused}`);
     const page = new Map(flattened(answer).filter(([key]) => !key.startsWith('drawn/')));
     for (const key of page.keys()) told.add(key);
@@ -202,5 +202,5 @@ export async function checkTouch() {
   const counts = await Promise.all([...pages].map(([page, names]) => checkPage(browser, fileOf(page), names)));
   await browser.close();
   const numbers = counts.reduce((sum, count) => sum + count, 0);
-  return `${shownByBuild().touch.length} figures, ${numbers} numbers of each state (${states} states, seed ${seed}) equal to the program's`;
+  return `${shownByBuild().touch.length} figures, ${numbers} numbers of each state (the start and ${states} more, seed ${seed}) equal to the program's`;
 }

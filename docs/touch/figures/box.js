@@ -76,6 +76,6 @@ export const box = {
     ['<i>t</i>', [shown(contact?.time), 'right']], [words.lands, [contact ? words[contact.feature] : '–', 'right']]],
 
   told: (state, {effective_radius: radius, contact}, words) => [
-    words.reaches(shown(radius)), contact ? words.touches(words[contact.feature], shown(contact.time), Object.keys(contact.points).length)
-                                           : words.free].join(' '),
+    words.reaches(shown(radius)), contact
+      ? words.touches(words[contact.feature], shown(contact.time), Object.keys(contact.points).length) : words.free].join(' '),
 };
