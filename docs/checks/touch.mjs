@@ -1,5 +1,6 @@
-// The figures to touch: the start of each and ten random states are compared with what the program prints for the line that the page
-// shows, bit for bit; then each is moved by a pointer, by the keyboard and by a finger, sent by its link, and seen by axe.
+// The figures to touch: the start of each and ten random states are compared with what the program prints for the line that
+// the page shows, bit for bit; then each is moved by a pointer, by the keyboard and by a finger, sent by its link, and seen
+// by axe.
 import {execFileSync} from 'node:child_process';
 import {mkdirSync} from 'node:fs';
 import {createRequire} from 'node:module';
