@@ -3,7 +3,7 @@
 import MarkdownIt from 'markdown-it';
 
 /// Quotes and apostrophes as printers set them; no rule that an essay has no use for and could break by mistake.
-export const markdown = new MarkdownIt({html: true, typographer: true, quotes: ['"', '"', '‘', '’']})
+export const markdown = new MarkdownIt({html: true, typographer: true, quotes: ['“', '”', '‘', '’']})
     .disable(['code', 'lheading', 'reference', 'replacements', 'autolink']);
 
 // A rule for a part of a line: what its pattern finds is a token of its own.
