@@ -1,7 +1,7 @@
 // The figures to touch: the book's own C++ as WebAssembly, built by CMake where clang and its C library for WebAssembly
 // are, and the scripts of docs/touch as one file.
 import {spawnSync} from 'node:child_process';
-import {existsSync, readFileSync, writeFileSync} from 'node:fs';
+import {existsSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {gzipSync} from 'node:zlib';
 import {buildSync} from 'esbuild';
@@ -15,9 +15,14 @@ const run = (command, ...options) => spawnSync(command, options, {encoding: 'utf
 /// Is there what makes WebAssembly of C++? Without it the book is made as it is in print.
 export const canTouch = existsSync('/usr/include/wasm32-wasi') && run('clang++', '--version').status === 0;
 
+// A build knows where it was made; in a folder that was moved or copied since it is made anew.
+const isConfigured = () => existsSync(join(place, 'build.ninja')) &&
+  read(place, 'CMakeCache.txt').includes(`CMAKE_HOME_DIRECTORY:INTERNAL=${source}\n`);
+
 // CMake and Ninja know what is to be done; as a rule nothing.
 function buildModule() {
-  const configured = existsSync(join(place, 'build.ninja')) ? {status: 0} :
+  if (!isConfigured()) rmSync(place, {recursive: true, force: true});
+  const configured = isConfigured() ? {status: 0} :
     run('cmake', '-G', 'Ninja', '-S', source, '-B', place, '-DCMAKE_BUILD_TYPE=None', `-DCMAKE_TOOLCHAIN_FILE=${toolchain}`);
   const built = configured.status === 0 ? run('cmake', '--build', place) : configured;
   if (built.status !== 0) complain('docs/touch', `the C++ of the figures to touch is not built: ${built.stdout}${built.stderr}`);
