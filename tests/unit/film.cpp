@@ -1,4 +1,6 @@
 // What a film file may say, and what becomes of it.
+#include <nlohmann/json.hpp>
+
 #include "catch.hpp"
 #include "film/entry.hpp"
 #include "film/read_film.hpp"
@@ -249,6 +251,34 @@ TEST_CASE("A text that is no JSON, or says a thing twice, is refused") {
   CHECK_THROWS_AS(read(R"({"ball": )" + std::string(100, '[')), FilmError);
   CHECK_THROWS_AS(read(std::string(most_bytes + 1, ' ')), FilmError);
   CHECK_NOTHROW(read("\xEF\xBB\xBF" + film_with(start, end)));  // some editors put it before UTF-8
+}
+
+TEST_CASE(
+    "Whatever number stands anywhere in a film, it is refused in a line, or the body is somewhere at all "
+    "times") {
+  std::size_t shown = 0, refused = 0;
+  for (const auto& [name, text] : scenes()) {
+    const nlohmann::json film = nlohmann::json::parse(text), flat = film.flatten();
+    for (const auto& [place, value] : flat.items())
+      for (const double number : {0.0, -1.0, 1e6, 1e-6, 1e300}) {
+        if (!value.is_number()) continue;
+        nlohmann::json changed = film;
+        changed[nlohmann::json::json_pointer(place)] = number;
+        CAPTURE(name, place, number);
+        try {
+          const Film read_again = read(changed.dump());
+          const Showing showing(read_again);
+          for (const double time : picture_times(read_again.begin(), read_again.end(), 1e-6))
+            CHECK(showing.at(time).place.allFinite());
+          ++shown;
+        } catch (const std::invalid_argument& error) {
+          CHECK(std::string(error.what()).size() < 400);
+          ++refused;
+        }
+      }
+  }
+  CHECK(shown > 100);
+  CHECK(refused > 100);
 }
 
 TEST_CASE("A word that is no film is told which there are") {

@@ -46,7 +46,7 @@ void tell_film(Program& program, const Film& film, const Showing& showing, const
   program.result("/film", film.name);
   program.row("keys", film.keys.size(), {"key frames", "關鍵影格"}).result("/keys");
   program.row("t", readable(film.begin()) + " .. " + readable(film.end()),
-              {"first and last key", "第一與最後的關鍵影格"});
+              {"first and last key", "首末兩個關鍵影格的時間"});
   program.result("/begin", film.begin());
   program.result("/end", film.end());
   program
@@ -60,10 +60,8 @@ void tell_film(Program& program, const Film& film, const Showing& showing, const
   std::size_t told = 0;
   for (const Contact& contact : showing.contacts())
     if (contact.time <= until) tell_contact(program, contact, told++);
-  program
-      .row("contacts", told,
-           {"after each it is to " + film.contact.what, "接觸後的動作：" + film.contact.what})
-      .result("/count");
+  report.row("contacts", told,
+             {"after each it is to " + film.contact.what, "接觸後的動作：" + film.contact.what});
   const Frame last = showing.at(until);
   report.say({"At t = " + readable(until), "t = " + readable(until) + " 時"});
   program.row("P", last.place, {"place", "位置"}).result("/last/place");
