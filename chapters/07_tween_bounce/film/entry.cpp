@@ -86,7 +86,7 @@ Entry Entry::of(const std::string& text) {
       return watch(depth, event, value);
     };
     auto whole = std::make_shared<const json>(json::parse(text, look));
-    const Entry all(whole, *whole, "");
+    Entry all(whole, *whole, "");
     all.must_be_object();
     return all;
   } catch (const json::exception& error) {

@@ -123,7 +123,7 @@ Wall wall_of(const Entry& entry, const std::filesystem::path& folder) {
   const auto e = value.numbers(4, most_length);
   if (e[0] == 0 && e[1] == 0 && e[2] == 0) value.refuse("must have a normal that is not zero");
   return made_of(value, [&] {
-    const Plane plane({e[0], e[1], e[2]}, e[3]);
+    Plane plane({e[0], e[1], e[2]}, e[3]);
     if (!(std::abs(plane.offset()) <= most_length))
       value.refuse("must be no farther from the origin than " + shortest(most_length));
     return plane;

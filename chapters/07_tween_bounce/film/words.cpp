@@ -119,7 +119,7 @@ Path path_of(const Entry& entry) {
 Quaternion turn_of(const Entry& entry) {
   if (entry.is_list()) {
     const auto q = entry.numbers(4, most_length);
-    const Quaternion turn(q[0], q[1], q[2], q[3]);
+    Quaternion turn(q[0], q[1], q[2], q[3]);
     if (!(norm(turn) > 0)) entry.refuse("must not be zero");
     return turn;
   }

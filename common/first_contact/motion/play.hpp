@@ -17,13 +17,13 @@ namespace first_contact {
 class After {
  public:
   /// It stays where it is.
-  static After stop() { return After(Kind::stop, Surface(0, 0)); }
+  static After stop() { return {Kind::stop, Surface(0, 0)}; }
   /// It goes on along the surface with what of its way does not lead against it (paper, 2.2), less by friction: until
   /// its end, also where its path would lead away again.
-  static After slide(double friction = 0) { return After(Kind::bend, Surface(0, friction)); }
+  static After slide(double friction = 0) { return {Kind::bend, Surface(0, friction)}; }
   /// It is thrown back: the way that is left is mirrored, and made flatter by restitution and friction.
   static After bounce(double restitution, double friction = 0) {
-    return After(Kind::bend, Surface(restitution, friction));
+    return {Kind::bend, Surface(restitution, friction)};
   }
 
   /// What becomes of a motion in that direction at a surface with that normal.
