@@ -72,6 +72,11 @@ function checkTorn(tree, places) {
   }
 }
 
+function checkIndex(tree) {
+  tree('#terms li').filter((_, term) => !tree(term).find('a').length)
+      .each((_, term) => complain(where, `the index has no page for "${tree(term).text().trim()}"`));
+}
+
 function checkOpenings(places) {
   for (const {id, title, onRight} of parts) {
     if (!places.has(id)) complain(where, `"${title}" is not in it`);
@@ -113,6 +118,7 @@ export async function checkPrint() {
   const points = checkPoints(tree);
   checkTorn(tree, places);
   checkOpenings(places);
+  checkIndex(tree);
   const {titles, pages} = await checkDocument(tree);
   return `${pages} pages, filled to ${Math.round(100 * fill)} % on average; ${fonts} subsets of TrueType faces, ${formulas} formulas that can be read, ${points} plotted points, ${titles} bookmarks`;
 }

@@ -7,10 +7,12 @@ const marks = new Map();  // English -> place -> is it told there what it means?
 /// Before the chapters are gone through, again.
 export const clearMarks = () => terms.forEach(({english}) => marks.set(english, new Map()));
 
+const wordsOf = (part) => part.text().replace(/\s+/g, ' ');
+
 /// Notes where a chapter first uses each term, and where it sets the term in italics: there it says what it means.
 export function markTerms(tree, id) {
-  const blocks = tree('.textblock p, .textblock li, .textblock figcaption').toArray().map((element) =>
-    ({element, text: tree(element).text(), told: tree(element).find('em').toArray().map((em) => tree(em).text())}));
+  const blocks = tree('.textblock').find('p, li, figcaption, td').toArray().map((element) =>
+    ({element, text: wordsOf(tree(element)), told: tree(element).find('em').toArray().map((em) => wordsOf(tree(em)))}));
   for (const {english, pattern} of terms) {
     const isTold = ({told}) => told.some((text) => pattern.test(text));
     const first = blocks.find(({text}) => pattern.test(text)), explained = blocks.find(isTold);
