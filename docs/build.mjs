@@ -10,6 +10,7 @@ import {drawFigures} from './tools/drawn.mjs';
 import {glossaryText} from './tools/glossary.mjs';
 import {museumText} from './tools/museum.mjs';
 import {bibliography, errataTable, paperTable} from './tools/tables.mjs';
+import {canTouch} from './tools/touch.mjs';
 import {runNamed, runPrograms} from './tools/values.mjs';
 import {say} from './tools/words.mjs';
 import {prose, shown, weave} from './tools/weave.mjs';
@@ -49,6 +50,7 @@ finish();
 writeFileSync(join(build, 'shown.json'), JSON.stringify({...shown, equations: [...shown.equations], cited: [...shown.cited],
                                                          missing: missing.map(({folder}) => folder)}, null, 1));
 stopIfWrong('making the pages');
+if (!canTouch) console.error('note: without figures to touch: clang++, or the C library for WebAssembly (wasi-libc), is missing');
 for (const chapter of missing) console.error(`note: chapters/${chapter.folder} has no essay yet`);
 console.log(`The notes are in ${fromRoot(join(html, 'index.html'))}: ${here.length - missing.length} chapters, ` +
             `${shown.figures.length} figures, ${shown.snippets.length} listings, ${shown.typed.length} numbers typed with a reason.`);
