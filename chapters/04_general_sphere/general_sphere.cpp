@@ -12,7 +12,6 @@
 #include "first_contact/geometry/closest_point.hpp"
 #include "first_contact/program/mesh_loading.hpp"
 #include "first_contact/program/mesh_report.hpp"
-#include "first_contact/program/one_file.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
@@ -186,8 +185,6 @@ void run_casts(Program& program, const Scene& scene, const Environment& environm
   if (program.given("--casts") != program.given("--results"))
     throw Refused("--results " + scene.results + ": must be given together with --casts " + scene.casts);
   if (!program.given("--casts")) return;
-  if (are_one_file(scene.casts, scene.results))
-    throw Refused("--results " + scene.results + ": must be another file than --casts");
   const std::string results =
       program.checked("--casts", [&] { return results_of(read_casts(scene.casts), environment); });
   program.checked("--results", [&] { write_file(scene.results, results); });

@@ -220,7 +220,7 @@ int main(int argc, char** argv) {
                  at_most_one);
   program.option("--model", scene.model, std::vector<std::string>{"printed", "physical"},
                  "of the results, the file and figures 13 to 15");
-  program.option("--csv", scene.csv, "FILE", "write the samples there, columns t,y; or a film's pictures");
+  program.option("--csv", scene.csv, "OUT.csv", "write the samples there, columns t,y; or a film's pictures");
   const tween_bounce::FilmOptions film(program);
   return program.run(argc, argv, [&] {
     if (tween_bounce::run_film(program, film, scene.csv)) return;

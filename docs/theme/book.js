@@ -60,8 +60,8 @@
     open.addEventListener('click', () => toggle());
     addEventListener('keydown', (event) => { if (event.key === 'Escape') toggle(false); });
     const unfold = () => {  // what a link leads to
-      const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-      if (target?.localName !== 'details') return;
+      const target = document.querySelector('details:target');
+      if (!target) return;
       target.open = true;
       target.scrollIntoView();
     };

@@ -193,6 +193,17 @@ TEST_CASE("Whatever a film's file is called, its pictures have names that any sc
   CAPTURE(run.err);
   CHECK(run.status == 0);
   CHECK(fs::exists(folder.path() / "out" / "my--film----x--球.svg"));
+  write(folder.path() / "(2).json", bounce);  // no script's name may look like an option
+  CHECK(run_program("tween_bounce", {"--film", "(2).json", "--out", "out", "--fps", "5"}, folder.path())
+            .status == 0);
+  CHECK(fs::exists(folder.path() / "out" / "film-2-.svg"));
+}
+
+TEST_CASE("Lists within lists are refused by the place of the innermost that was read") {
+  std::string place;
+  for (int i = 0; i < 17; ++i) place += "[0]";
+  check_refused(std::string(100, '['),
+                "--film film.json: " + place + ": must not be nested deeper than 16\n");
 }
 
 TEST_CASE(

@@ -87,6 +87,13 @@ TEST_CASE("Results do not take the place of the casts that they answer") {
   CHECK(content_of(folder.path() / "in.csv") == casts);
 }
 
+TEST_CASE("Two outputs of one run are two files") {
+  const TemporaryFolder folder;
+  check_refused(run_program("tween_bounce", {"--csv", "same", "--values", "./same"}, folder.path()),
+                {"--values ./same", "another file than --csv"});
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "same"));
+}
+
 TEST_CASE("A program that cannot print says so: also its help") {
   for (const std::string option : {"--help", "--json", "--no-figures"}) {
     CAPTURE(option);

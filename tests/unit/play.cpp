@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "catch.hpp"
+#include "first_contact/motion/css_easing.hpp"
 #include "first_contact/motion/squash.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
@@ -44,6 +45,40 @@ TEST_CASE("A tween that stops stays where it touches") {
   REQUIRE(played.contacts().size() == 1);
   CHECK(played.at(0.25) == dive.at(0.25));
   for (const double t : {0.5, 0.75, 1.0, 9.0}) CHECK(is_near(played.at(t), {2, 0, 1}));
+}
+
+TEST_CASE(
+    "Where an easing jumps into a floor, the ball stops, slides or is thrown back from where it touches") {
+  // In two steps, at half time from 2 to 0, and at the end to -2; it touches at 0.5.
+  const Tween jumps({{0, {0, 0, 2}, ease::steps(2)}, {1, {0, 0, -2}}});
+  for (const After& after : {After::stop(), After::slide()}) {
+    const Played played = play(jumps, 0.5, ground, after);
+    REQUIRE(played.contacts().size() == 1);
+    CHECK(played.at(0.25) == Point(0, 0, 2));
+    CHECK(is_near(played.at(0.75), {0, 0, 0.5}));
+  }
+  const Played thrown = play(jumps, 0.5, ground, After::bounce(1));
+  CHECK(thrown.contacts().size() == 1);
+  CHECK(is_near(thrown.at(thrown.contacts()[0].time), {0, 0, 0.5}));
+  CHECK(is_near(thrown.at(0.75), {0, 0, 1}));
+  CHECK(is_near(thrown.at(1), {0, 0, 3}));
+}
+
+TEST_CASE("A ball that is thrown back within a jump stops at what is in its way") {
+  const Tween jumps({{0, {0, 0, 2}, ease::steps(1)}, {1, {0, 0, -6}}});  // to 7, were it not for the shelf
+  const Triangle shelf({-9, -9, 3}, {9, -9, 3}, {0, 9, 3});
+  const SphereSweep both = [&](const Moving<Sphere>& ball) {
+    const auto floor = sweep(ball, ground), above = sweep(ball, shelf);
+    return !above || (floor && floor->time < above->time) ? floor : above;
+  };
+  const Played played = play(jumps, 0.5, both, 9, After::bounce(1), 64);
+  REQUIRE(played.contacts().size() == 2);
+  CHECK(is_near(played.at(1), {0, 0, 2.5}));
+}
+
+TEST_CASE("Keys that are hardly apart on the clock are thrown back from where they touch") {
+  const Tween late({{1e6 - 1e-5, {0, 0, 3}}, {1e6, {0, 0, -3}}});
+  CHECK(is_near(play(late, 0.5, ground, After::bounce(1)).at(1e6), {0, 0, 4}));
 }
 
 TEST_CASE("A tween that slides goes on along the floor at its own speed, less by friction") {

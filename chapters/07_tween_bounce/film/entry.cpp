@@ -52,7 +52,8 @@ class Watch {
 
   std::string place() const {
     std::string all;
-    for (const Open& open : open_) all = open.is_list ? counted(all, open.count - 1) : joined(all, open.last);
+    for (const Open& open : open_)
+      all = open.is_list ? counted(all, std::max<std::size_t>(open.count, 1) - 1) : joined(all, open.last);
     return printable(all);
   }
 

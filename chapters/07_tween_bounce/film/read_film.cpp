@@ -176,7 +176,7 @@ std::string picture_name(std::string stem) {
   std::replace_if(
       stem.begin(), stem.end(), [&](char letter) { return !is_plain(static_cast<unsigned char>(letter)); },
       '-');
-  return stem;
+  return stem.starts_with('-') ? "film" + stem : stem;
 }
 
 }  // namespace

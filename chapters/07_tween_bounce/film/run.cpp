@@ -1,7 +1,6 @@
 #include "run.hpp"
 
 #include "figures/figures.hpp"
-#include "first_contact/program/one_file.hpp"
 #include "read_film.hpp"
 #include "scenes.hpp"
 #include "showing.hpp"
@@ -85,8 +84,6 @@ bool run_film(Program& program, const FilmOptions& options, const std::string& t
   require_film_alone(program, !options.word.empty());
   if (options.word.empty()) return false;
   const Film film = program.checked("--film", [&] { return film_named(options.word); });
-  if (are_one_file(options.word, table))
-    throw Refused("--csv " + table + ": must be another file than --film");
   const double until = frozen_at(program, film, options.at);
   const auto times = program.checked({"--film", "--fps"},
                                      [&] { return picture_times(film.begin(), until, options.per_second); });

@@ -52,12 +52,14 @@ class Played {
   /// How its places are bent after its last contact.
   Bend bend() const { return bends_.empty() ? Bend() : bends_.back(); }
   /// Bends what is to come after a contact, which is not before any other.
-  void turn_aside(const Contact& contact, const After& after);
+  /// \param here  where the centre is then
+  void turn_aside(const Contact& contact, const Point& here, const After& after);
 
  private:
   Tween tween_;
   std::vector<Contact> contacts_;
-  std::vector<Bend> bends_;  // one after each contact
+  std::vector<Bend> bends_;    // one after each contact,
+  std::vector<Point> places_;  // ... where the centre is then
 };
 
 /// Plays a tween of a sphere past obstacles: sweeps it to its first contact, maps what is left, and sweeps that, until

@@ -5,6 +5,7 @@
 
 #include "first_contact/files/printable.hpp"
 #include "first_contact/program/numbers.hpp"
+#include "first_contact/program/one_file.hpp"
 
 namespace first_contact::program {
 
@@ -16,7 +17,27 @@ const CLI::Option* option_with_value(const CLI::App& line, const std::string& na
   return option != nullptr && option->get_items_expected_max() > 0 ? option : nullptr;
 }
 
+bool is_written(const CLI::Option& option) { return option.get_type_name().starts_with("OUT"); }
+
+bool names_a_file(const CLI::Option& option) {
+  const std::string letters = option.get_type_name();
+  return letters.find("FILE") != std::string::npos || letters.find('.') != std::string::npos;
+}
+
 }  // namespace
+
+void require_different_files(const CLI::App& line) {
+  const auto files = line.get_options(
+      [](const CLI::Option* option) { return option->count() > 0 && names_a_file(*option); });
+  for (const CLI::Option* out : files)
+    for (const CLI::Option* other : files) {
+      if (out == other || !is_written(*out)) continue;
+      const std::string name = out->as<std::string>();
+      if (are_one_file(other->as<std::string>(), name))
+        throw Refused(out->get_name() + " " + printable(name) + ": must be another file than " +
+                      other->get_name());
+    }
+}
 
 std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char* const* argv) {
   std::vector<std::string> arguments;

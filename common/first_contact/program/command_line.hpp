@@ -12,4 +12,9 @@ namespace first_contact::program {
 /// value, or is given twice.
 std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char* const* argv);
 
+/// What is written must not take the place of another file of the same line. Such options are known by their letters:
+/// FILE or IN.csv is read, OUT.csv or OUT.json is written.
+/// \throws Refused if one that is written is the same file as another.
+void require_different_files(const CLI::App& line);
+
 }  // namespace first_contact::program

@@ -5,8 +5,13 @@
 namespace first_contact::program {
 
 bool are_one_file(const std::string& one, const std::string& other) {
+  namespace fs = std::filesystem;
   std::error_code none;
-  return std::filesystem::is_regular_file(one, none) && std::filesystem::equivalent(one, other, none);
+  if (fs::exists(one, none)) return fs::is_regular_file(one, none) && fs::equivalent(one, other, none);
+  const auto place = [&](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, none), none);
+  };
+  return !fs::exists(other, none) && place(one) == place(other);
 }
 
 }  // namespace first_contact::program

@@ -127,7 +127,7 @@ Program::Program(std::string name, const std::string& chapter, const std::string
            in.studio.own = text;
          });
   in.line.add_flag("--json", in.as_json, "print only the results, as JSON");
-  in.add("--values", "FILE", "write the numbers that the notes show", "", [&in](const std::string& text) {
+  in.add("--values", "OUT.json", "write the numbers that the notes show", "", [&in](const std::string& text) {
     if (text.empty()) throw Refused("must name a file");
     in.values_file = text;
   });
@@ -234,6 +234,7 @@ int Program::execute(int argc, char** argv, const std::function<void()>& chapter
     std::cout << in.line.help();
     return all_printed();
   }
+  require_different_files(in.line);
   in.take_over();
   run_chapter(chapter);
   if (!in.values_file.empty())

@@ -43,7 +43,10 @@ export class Figure {
 
   build() {
     const {own, words} = this;
-    const now = (name) => () => this.shownPlace(name), moved = (name) => (wished) => this.change(name, this.meant(name, wished));
+    const now = (name) => () => this.shownPlace(name), moved = (name) => (wished) => {
+      if (name === own.play?.of) this.stop();
+      this.change(name, this.meant(name, wished));
+    };
     const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false}]) => isPlace === wanted)
         .map(([name, parameter]) => new Kind(name, parameter, words[name], now(name), moved(name)));
     this.handles = controls(Handle, true);
@@ -86,7 +89,7 @@ export class Figure {
   }
 
   buttons() {
-    const reset = button(this.words.reset, () => { this.state = startOf(this.own.parameters); this.changed(); });
+    const reset = button(this.words.reset, () => { this.stop(); this.state = startOf(this.own.parameters); this.changed(); });
     if (!this.own.play || calm.matches) return [reset];
     this.player = button(this.words.play, () => this.play(!this.playing));
     return [this.player, reset];
@@ -104,6 +107,7 @@ export class Figure {
   follow() {
     const state = stateFrom(location.hash, this.id, this.own.parameters);
     if (!state || !this.ask) return;
+    this.stop();
     this.state = state;
     this.show();
     this.element.scrollIntoView({block: 'center'});
@@ -154,6 +158,10 @@ export class Figure {
       else this.play(false);
     };
     step();
+  }
+
+  stop() {
+    if (this.playing) this.play(false);
   }
 
   /// The one function that asks and draws.

@@ -25,12 +25,22 @@ export const startOf = (parameters) =>
 export const fragmentOf = (id, state) =>
   `#${id}:` + Object.entries(state).map(([name, value]) => `${name}=${value}`).join(';');
 
+// An address that somebody has cut or mistyped asks for nothing.
+function decoded(fragment) {
+  try {
+    return decodeURIComponent(fragment);
+  } catch {
+    return '';
+  }
+}
+
 /// The state that an address asks for; what it does not say, or says wrongly, is as at the start.
 export function stateFrom(fragment, id, parameters) {
-  const state = startOf(parameters), [own, said = ''] = decodeURIComponent(fragment).split(':');
+  const state = startOf(parameters), [own, said = ''] = decoded(fragment).split(':');
   if (own !== `#${id}`) return undefined;
   for (const part of said.split(';')) {
-    const [name, text = ''] = part.split('='), numbers = text.split(',').map(Number), parameter = parameters[name];
+    const [name, text = ''] = part.split('='), numbers = text.split(',').map(Number);
+    const parameter = Object.hasOwn(parameters, name) && parameters[name];
     if (!parameter || !text || !numbers.every(Number.isFinite)) continue;
     if (numbers.length === (parameter.isPlace ? 2 : 1))
       state[name] = clamped(parameter, parameter.isPlace ? numbers : numbers[0]);
