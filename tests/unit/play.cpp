@@ -76,6 +76,13 @@ TEST_CASE("A ball that is thrown back within a jump stops at what is in its way"
   CHECK(is_near(played.at(1), {0, 0, 2.5}));
 }
 
+TEST_CASE("Keys that are as near on the clock as two doubles can be miss nothing") {
+  const Tween instant({{0, {0, 0, 3}}, {5e-324, {0, 0, -3}}});
+  const Played played = play(instant, 0.5, ground, After::stop());
+  REQUIRE(played.contacts().size() == 1);
+  CHECK(is_near(played.at(5e-324), {0, 0, 0.5}));
+}
+
 TEST_CASE("Keys that are hardly apart on the clock are thrown back from where they touch") {
   const Tween late({{1e6 - 1e-5, {0, 0, 3}}, {1e6, {0, 0, -3}}});
   CHECK(is_near(play(late, 0.5, ground, After::bounce(1)).at(1e6), {0, 0, 4}));

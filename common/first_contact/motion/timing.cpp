@@ -1,6 +1,7 @@
 #include "first_contact/motion/timing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "first_contact/geometry/space.hpp"
@@ -11,10 +12,11 @@ Timing::Timing(Easing easing, double begin, double end)
     : easing_(std::move(easing)), begin_(begin), end_(end) {}
 
 //! [tween_part]
-// Two times far apart are halved first, for their difference may overflow.
+// Two times far apart are halved first, for their difference may overflow; others are not, for a tiny one may vanish.
 double Timing::part_at(double time) const {
-  const double passed = time / 2 - begin_ / 2, all = end_ / 2 - begin_ / 2;
-  return easing_(passed / all);
+  const double all = end_ - begin_;
+  if (std::isfinite(all)) return easing_((time - begin_) / all);
+  return easing_((time / 2 - begin_ / 2) / (end_ / 2 - begin_ / 2));
 }
 //! [tween_part]
 
