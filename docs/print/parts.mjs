@@ -2,7 +2,7 @@
 import {appendices, chapters, otherPages} from '../tools/book.mjs';
 
 const page = (id) => otherPages.find((each) => each.id === id);
-const library = otherPages.filter(({isLibrary, folders}) => isLibrary && folders);
+const filesOfLibrary = otherPages.filter(({isLibrary, folders}) => isLibrary && folders);
 const exercises = otherPages.filter(({isExercise}) => isExercise);
 const back = otherPages.filter(({front, letter, isLibrary, isWorkbook}) =>
   !front && !letter && !isLibrary && !isWorkbook);
@@ -14,7 +14,7 @@ export const parts = [
   page('primer'),
   ...chapters.map((chapter) => ({...chapter, onRight: true})),
   ...appendices.map((part) => ({...part, onRight: true})),
-  {...page('library'), onRight: true}, ...library.map((part) => ({...part, under: 'library'})),
+  {...page('library'), onRight: true}, ...filesOfLibrary.map((part) => ({...part, under: 'library'})),
   {...page('workbook'), onRight: true}, ...exercises.map((part) => ({...part, under: 'workbook'})),
   ...back.slice(0, 1), {...answers, onRight: true}, ...back.slice(1), index,
 ];
