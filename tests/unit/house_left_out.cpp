@@ -1,11 +1,10 @@
 // Which answers depend on the C library: those that the README names, and no others.
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "catch.hpp"
+#include "first_contact/files/input.hpp"
 #include "places.hpp"
 
 namespace fs = std::filesystem;
@@ -13,12 +12,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path project = first_contact::places::source;
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 }  // namespace
 
@@ -42,13 +35,13 @@ TEST_CASE("A sine, a power or a logarithm of the C library is asked for in these
   for (const auto& entry : fs::recursive_directory_iterator(library)) {
     const std::string place = fs::relative(entry.path(), library).generic_string();
     if (!entry.is_regular_file() || place.starts_with("figure/") || place.starts_with("program/")) continue;
-    if (std::regex_search(text_of(entry.path()), function)) found.insert(place);
+    if (std::regex_search(first_contact::read_file(entry.path()), function)) found.insert(place);
   }
   CHECK(found == known);
 }
 
 TEST_CASE("The README names each answer that the C library may round in its own way") {
-  const std::string readme = text_of(project / "README.md");
+  const std::string readme = first_contact::read_file(project / "README.md");
   for (const std::string name : {"`sine`", "`exponential`", "`elastic`", "`power`", "`spring`", "`damp`",
                                  "`Rigid::turned`", "`RigidTween`", "`eased_stretch`", "`Turning<Mesh>`",
                                  "`Transform::perspective`", "`Bounce`", "`principal_box`"}) {

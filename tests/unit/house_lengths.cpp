@@ -1,10 +1,9 @@
 // No file and no function is too long to be read in one go.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "catch.hpp"
+#include "first_contact/files/input.hpp"
 #include "function_lengths.hpp"
 #include "places.hpp"
 
@@ -13,12 +12,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t longest_file = 300, longest_function = 40, middle_of_library = 4;
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// All files of C++ below a folder of the project.
 std::vector<fs::path> code_in(const std::string& folder) {
@@ -55,7 +48,7 @@ TEST_CASE("No function is longer than forty lines, and half of the library's hav
   std::vector<std::size_t> library;
   for (const char* folder : {"common", "chapters", "tests"})
     for (const fs::path& file : code_in(folder))
-      for (const auto& [line, length, body] : function_lengths::of(text_of(file))) {
+      for (const auto& [line, length, body] : function_lengths::of(first_contact::read_file(file))) {
         INFO(file.string() << ":" << line);
         CHECK(length <= longest_function);
         if (std::string(folder) == "common") library.push_back(body);
@@ -69,7 +62,7 @@ TEST_CASE("No function is longer than forty lines, and half of the library's hav
 TEST_CASE("No file of the library, of the chapters and of the tests is longer than three hundred lines") {
   for (const char* folder : {"common", "chapters", "tests"})
     for (const fs::path& file : code_in(folder)) {
-      const std::string text = text_of(file);
+      const std::string text = first_contact::read_file(file);
       CAPTURE(file.string());
       CHECK(std::count(text.begin(), text.end(), '\n') <= static_cast<std::ptrdiff_t>(longest_file));
     }

@@ -1,13 +1,12 @@
 // What is added to the library is asked wherever its like is asked: the recipes of CONTRIBUTING.md.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "catch.hpp"
+#include "first_contact/files/input.hpp"
 #include "places.hpp"
 
 namespace fs = std::filesystem;
@@ -16,17 +15,12 @@ namespace {
 
 const fs::path project = first_contact::places::source;
 
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 /// The headers of a folder of the library in which something is declared: "sweep/sphere_plane.hpp" ...
 std::vector<std::string> headers_with(const std::string& folder, const std::regex& declaration) {
   std::vector<std::string> headers;
   for (const auto& entry : fs::directory_iterator(project / "common/first_contact" / folder))
-    if (entry.path().extension() == ".hpp" && std::regex_search(text_of(entry.path()), declaration))
+    if (entry.path().extension() == ".hpp" &&
+        std::regex_search(first_contact::read_file(entry.path()), declaration))
       headers.push_back(folder + "/" + entry.path().filename().string());
   std::sort(headers.begin(), headers.end());
   return headers;
@@ -37,7 +31,8 @@ bool included_below(const std::string& beginning, const std::string& header) {
   for (const auto& entry : fs::directory_iterator((project / beginning).parent_path())) {
     const std::string file = entry.path().lexically_relative(project).generic_string();
     if (entry.is_regular_file() && file.starts_with(beginning) &&
-        text_of(entry.path()).find("#include \"first_contact/" + header + "\"") != std::string::npos)
+        first_contact::read_file(entry.path()).find("#include \"first_contact/" + header + "\"") !=
+            std::string::npos)
       return true;
   }
   return false;
@@ -59,7 +54,7 @@ TEST_CASE("Each pair of shapes has its cases, its exact answers, the same bits e
   CHECK(pairs.size() >= 9);
   check_places(pairs, {"tests/unit/", "tests/oracle/", "tests/digest/", "tests/unit/same_bits",
                        "tests/property/any_unit_"});
-  const std::string named = text_of(project / "common/first_contact/sweep/obstacle.hpp");
+  const std::string named = first_contact::read_file(project / "common/first_contact/sweep/obstacle.hpp");
   for (const std::string& header : pairs) {
     if (header == "sweep/ray_triangle.hpp") continue;  // a point is no mover of its own there
     CAPTURE(header);
