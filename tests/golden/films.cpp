@@ -199,6 +199,13 @@ TEST_CASE("Whatever a film's file is called, its pictures have names that any sc
   CHECK(fs::exists(folder.path() / "out" / "film-2-.svg"));
 }
 
+TEST_CASE("A box that jumps by steps into what is in the way is refused") {
+  const std::string film = R"({"box": {"sides": [1, 1, 1]}, "keys": [
+    {"time": 0, "place": [0, 0, 2], "easing": {"steps": {"count": 2}}}, {"time": 1, "place": [0, 0, -2]}],
+    "obstacles": [{"plane": [0, 0, 1, 0]}]})";
+  check_refused(film, "--film film.json: box: must not jump, by steps, into what is in the way\n");
+}
+
 TEST_CASE("Lists within lists are refused by the place of the innermost that was read") {
   std::string place;
   for (int i = 0; i < 17; ++i) place += "[0]";

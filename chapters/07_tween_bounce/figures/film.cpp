@@ -60,10 +60,20 @@ Eigen::AlignedBox3d room_of(const Film& film, const std::vector<Point>& ways) {
   return room;
 }
 
+// Where a picture's coordinates begin: at the origin, or, of a film that is far from it, in the middle of its keys.
+Point origin_of(const Film& film) {
+  Eigen::AlignedBox3d all;
+  const Vector reach = Vector::Constant(reach_of(film.actor));
+  for (const FilmKey& key : film.keys) all.extend(key.place - reach).extend(key.place + reach);
+  const Point middle = all.center();
+  return middle.cwiseAbs().maxCoeff() > 16 * all.sizes().maxCoeff() ? middle : Point::Zero();
+}
+
 /// A film's stage, large enough for all of it: what rests, the way that was planned, and the way as far as it is gone.
 class Stage {
  public:
-  Stage(const Film& film, const Showing& showing, double until) : film_(film), scene_(film.view, 0.02) {
+  Stage(const Film& film, const Showing& showing, double until)
+      : film_(film), scene_(film.view, 0.02, origin_of(film)) {
     const auto times_until = [&](double end) {
       return moments_of(film, showing, end, even_times(film.begin(), end, steps));
     };

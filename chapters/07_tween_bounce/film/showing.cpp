@@ -69,6 +69,16 @@ std::optional<Contact> first_of_box(const RigidTween& poses, const Box& box, con
   return first;
 }
 
+// A ball that jumps (steps) touches on its way; where a box would stand then, nobody knows.
+void must_not_jump(const RigidTween& poses, double time) {
+  const Rigid before = poses.at(time), after = poses.at(std::nextafter(time, HUGE_VAL));
+  const Vector way = after.translation() - before.translation();
+  const double turn = (after.rotation() - before.rotation()).cwiseAbs().maxCoeff();
+  const double size = before.translation().cwiseAbs().maxCoeff() + 1;
+  if (norm(way) > tween_gap * size || turn > tween_gap)
+    refuse("box", "must not jump, by steps, into what is in the way");
+}
+
 }  // namespace
 
 //! [showing]
@@ -79,6 +89,7 @@ Showing::Showing(const Film& film) : poses_(poses_of(film)), keys_(film.keys) {
         play(places_of(film), ball->radius, meets, largest_of(film.walls), film.contact.after, most_contacts);
     contacts_ = ball_->contacts();
   } else if (const auto contact = first_of_box(poses_, std::get<Box>(film.actor), film.walls)) {
+    must_not_jump(poses_, contact->time);
     contacts_ = {*contact};
   }
   const bool stops = film.contact.what == "stop" || std::ssize(contacts_) == most_contacts;

@@ -36,12 +36,13 @@ Vector View::right() const { return {std::cos(turn * degree), std::sin(turn * de
 Vector View::up() const { return eye().cross(right()); }
 
 // Seen from straight above, up in the picture is y, and there the light must come from.
-Scene::Scene(View view, double margin)
+Scene::Scene(View view, double margin, const Point& origin)
     : eye_(view.eye()),
       right_(view.right()),
       up_(view.up()),
       light_((view.tilt == 0 ? Vector(-0.45, 0.75, 0.9) : Vector(-0.35, -0.75, 0.9)).normalized()),
-      margin_(margin) {}
+      margin_(margin),
+      origin_(origin) {}
 
 void Scene::add(const std::vector<Point>& points, std::string style, int layer, std::optional<double> depth) {
   Item item{layer, 0, std::move(style), {}};

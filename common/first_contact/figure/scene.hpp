@@ -34,7 +34,8 @@ class Scene {
   /// The light falls from the upper left, on space as well as on a picture in a plane.
   /// \param view  where the eye is
   /// \param margin  around the things, as a part of their extent; it must hold the labels at the rim
-  explicit Scene(View view = {}, double margin = 0.06);
+  /// \param origin  of the picture's coordinates: near the things, for a script has few digits
+  explicit Scene(View view = {}, double margin = 0.06, const Point& origin = Point::Zero());
 
   /// A plane polygon, convex or not.
   void polygon(const std::vector<Point>& corners, const Fill& fill, int layer = 0);
@@ -72,7 +73,10 @@ class Scene {
   std::string write(Figure& figure) const;
 
   /// Where a point is in the picture, in the units of the scene.
-  Eigen::Vector2d project(const Point& p) const { return {p.dot(right_), p.dot(up_)}; }
+  Eigen::Vector2d project(const Point& p) const {
+    const Vector q = p - origin_;
+    return {q.dot(right_), q.dot(up_)};
+  }
   /// All of the picture, in the same units.
   Eigen::AlignedBox2d extent() const;
 
@@ -102,6 +106,7 @@ class Scene {
 
   Vector eye_, right_, up_, light_;
   double margin_;
+  Point origin_;
   Eigen::AlignedBox2d room_;
   std::vector<Item> items_;
   std::vector<Text> texts_;
