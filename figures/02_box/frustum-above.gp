@@ -85,9 +85,9 @@ set xrange [-0.236613927:8.03661393]
 set yrange [-3.59661393:4.76374484]
 set label "" at 4,0.3 center offset character 0,0 front tc rgb INK
 set label "" at 4.8,-2.4 center offset character 0,0 front tc rgb INK
-set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 2.4,3.6 center offset character 0,0.4 front tc rgb INK
+set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 2.4,3.6 center offset character 0,0.9 front tc rgb INK
 set label "" at 3,3.1 center offset character 0,0 front tc rgb INK
-set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 7.2,-0.1 center offset character 0,0.4 front tc rgb INK
+set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 7.2,-0.1 center offset character 0,0.9 front tc rgb INK
 set label "" at 7.8,-0.6 center offset character 0,0 front tc rgb INK
 set label "" at 6.78,3.66 center offset character 0,0 front tc rgb INK
 $s0 << EOD

@@ -85,9 +85,9 @@ set xrange [-0.232628949:7.98692725]
 set yrange [-2.5509366:4.55584303]
 set label "" at 3.8502169,0.702279466 center offset character 0,0 front tc rgb INK
 set label "" at 5.19409654,-1.002932 center offset character 0,0 front tc rgb INK
-set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 1.59907215,3.48952753 center offset character 0,0.4 front tc rgb INK
+set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 1.59907215,3.48952753 center offset character 0,0.9 front tc rgb INK
 set label "" at 2.28991656,2.71693201 center offset character 0,0 front tc rgb INK
-set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 7.06345389,1.67544472 center offset character 0,0.4 front tc rgb INK
+set label "{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}" at 7.06345389,1.67544472 center offset character 0,0.9 front tc rgb INK
 set label "" at 7.7542983,0.902849203 center offset character 0,0 front tc rgb INK
 set label "" at 5.87088394,3.70804111 center offset character 0,0 front tc rgb INK
 $s0 << EOD

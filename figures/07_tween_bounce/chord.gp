@@ -83,7 +83,7 @@ unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [-1.79947327:12.1195546]
 set yrange [-1.79947327:2.02024833]
-set label "{/:Italic d}" at 2.15,0.45 center offset character 1,0 front tc rgb INK
+set label "{/:Italic d}" at 2.176,0.216 center offset character 1.2,0 front tc rgb INK
 set label "{/:Italic r} + {/:Italic d}" at 2.2,-0.843323108 center offset character 2.6,0 front tc rgb INK
 $s0 << EOD
 2.1 0.4

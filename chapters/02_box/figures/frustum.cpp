@@ -27,7 +27,7 @@ void draw_seen_from(const View& view, const char* name, const Studio& studio) {
     const Colour& kept = &sight == &sights.back() ? colour::amber : colour::green;
     scene.box(sight.box, {sight.rejected ? colour::pale : kept, 1, true}, 0);
     const Point above = sight.box.center + Vector(0, 0.5, 0.75);
-    if (sight.rejected) scene.label("{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}", above, 0, 0.4);
+    if (sight.rejected) scene.label("{/:Italic E}·{/:Italic Q} < −{/:Italic r}_{eff}", above, 0, 0.9);
     scene.label("", sight.box.center + Vector(0.6, 0, 0));  // room for what stands above
   }
   scene.polygon(near, {colour::sky, 0.18, false, edge}, 1);

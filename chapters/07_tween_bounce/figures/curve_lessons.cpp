@@ -153,7 +153,7 @@ void draw_chord(const Program& program) {
       const Point ball = part.at(0.5), under = (part.at(0) + part.at(1)) / 2;
       scene.disc(ball, {0, 0, 1}, r, {colour::orange, 0.5, false, Pen{colour::ink, 1}}, 0);
       scene.line({ball, under}, {colour::ink, 1.2}, 3);
-      scene.label("{/:Italic d}", (ball + under) / 2, 1, 0);
+      scene.label("{/:Italic d}", under + 0.24 * (ball - under), 1.2, 0);  // below the ball
       scene.arrow(under, under - Vector(0, r + d, 0), {colour::ink, 1.4});
       scene.label("{/:Italic r} + {/:Italic d}", under - Vector(0, 0.6 * (r + d), 0), 2.6, 0);
     }
