@@ -1,7 +1,7 @@
 // Chapter 4: a ball against a solid with corners: its surface moved out, the feature met first, and the paper's cylinders.
 import {number, place, shown} from '../core/state.js';
 
-const view = {left: -3.3, right: 3.3, bottom: -2.1, top: 2.9};
+const view = {left: -3.7, right: 3.9, bottom: -2.1, top: 2.9};
 const anywhere = {least: [-3.2, -2], most: [3.2, 2.8]};
 
 const flat = ([x, , z]) => [x, z];

@@ -24,7 +24,7 @@ const frames = (pen, {radius}, answer) => centers(answer).map((center, i) =>
 
 function contact(pen, {from, radius}, {contact: {center, point}}, words) {
   return [pen.ball(flat(center), radius, 'mover there'), pen.arrow(from, flat(center), 'motion'), pen.dot(flat(point)),
-          pen.label('C', flat(point), [7, 17]), pen.label(words.center, flat(center), [12, 5])];
+          pen.label('C', flat(point), [7, 17]), pen.label(words.center, flat(center), [-10, 20], '', 'end')];
 }
 
 export const plane = {
