@@ -123,15 +123,20 @@ void note(Program& program, const Scene& scene, const Moving<Sphere>& ball,
 
 //! [main]
 int main(int argc, char** argv) {
-  Program program("plane", "01_plane", "A moving sphere meets a plane (paper, 1.2).");
+  Program program("plane", "01_plane",
+                  {"A moving sphere meets a plane (paper, 1.2).", "球面與平面之間的碰撞（論文 1.2）。"});
   Scene scene;
-  program.option("--plane", scene.plane, "A,B,C,D", "the plane Ax + By + Cz + D = 0");
-  program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
-  program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
-  program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
-  program.option("--length", scene.length, "l", "of a normal in the formula as printed", positive);
-  program.option("--frames", scene.frames, "n", "look at n frames of the motion as well; 0: at none",
-                 at_most_a_thousand);
+  program.option("--plane", scene.plane, "A,B,C,D",
+                 {"the plane Ax + By + Cz + D = 0", "平面 Ax + By + Cz + D = 0"});
+  program.option("--from", scene.from, "x,y,z", {"centre of the sphere at t = 0", "球心在 t = 0 時的位置"});
+  program.option("--to", scene.to, "x,y,z", {"centre of the sphere at t = 1", "球心在 t = 1 時的位置"});
+  program.option("--radius", scene.radius, "r", {"radius of the sphere", "球的半徑"}, not_negative);
+  program.option("--length", scene.length, "l",
+                 {"of a normal in the formula as printed", "代入論文原式的法向量長度"}, positive);
+  program.option(
+      "--frames", scene.frames, "n",
+      {"look at n frames of the motion as well; 0: at none", "另外觀察移動過程中的 n 個影格；0 表示不觀察"},
+      at_most_a_thousand);
   return program.run(argc, argv, [&] {
     const auto ball = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};

@@ -214,14 +214,18 @@ void tell_studies(Program& program) {
 
 //! [main]
 int main(int argc, char** argv) {
-  Program program("box", "02_box", "A moving box meets a plane (paper, 1.3).");
+  Program program("box", "02_box",
+                  {"A moving box meets a plane (paper, 1.3).", "盒子與平面之間的碰撞（論文 1.3）。"});
   Scene scene;
-  program.option("--plane", scene.plane, "A,B,C,D", "the plane Ax + By + Cz + D = 0");
-  program.option("--from", scene.from, "x,y,z", "centre of the box at t = 0");
-  program.option("--to", scene.to, "x,y,z", "centre of the box at t = 1");
-  program.option("--r", scene.r, "x,y,z", "axis R of the box, as long as the box is in that direction");
-  program.option("--s", scene.s, "x,y,z", "axis S, perpendicular to R");
-  program.option("--t", scene.t, "x,y,z", "axis T, perpendicular to both");
+  program.option("--plane", scene.plane, "A,B,C,D",
+                 {"the plane Ax + By + Cz + D = 0", "平面 Ax + By + Cz + D = 0"});
+  program.option("--from", scene.from, "x,y,z", {"centre of the box at t = 0", "盒心在 t = 0 時的位置"});
+  program.option("--to", scene.to, "x,y,z", {"centre of the box at t = 1", "盒心在 t = 1 時的位置"});
+  program.option("--r", scene.r, "x,y,z",
+                 {"axis R of the box, as long as the box is in that direction",
+                  "盒子的軸 R，長度等於盒子在該方向的邊長"});
+  program.option("--s", scene.s, "x,y,z", {"axis S, perpendicular to R", "軸 S，垂直於 R"});
+  program.option("--t", scene.t, "x,y,z", {"axis T, perpendicular to both", "軸 T，垂直於 R 與 S"});
   return program.run(argc, argv, [&] {
     const Box box = program.checked({"--r", "--s", "--t", "--from"}, [&] {
       return Box{scene.from, scene.r, scene.s, scene.t};

@@ -255,16 +255,20 @@ std::vector<Triangle> triangles_of(const Scene& scene) {
 //! [main]
 int main(int argc, char** argv) {
   Program program("partitioning", "03_partitioning",
-                  "Octree, BSP tree and BVH: who could be hit at all? Hit tests (paper, 1.4, 2.4.1).");
+                  {"Octree, BSP tree and BVH: who could be hit at all? Hit tests (paper, 1.4, 2.4.1).",
+                   "八元樹、BSP 樹與 BVH：哪些物件可能被碰到？碰撞測試（論文 1.4、2.4.1）。"});
   Scene scene;
-  program.option("--objects", scene.objects, "n", "number of triangles in the room", at_most_a_million);
-  program.option("--seed", scene.seed, "k", "of the random numbers");
+  program.option("--objects", scene.objects, "n", {"number of triangles in the room", "房間裡的三角形個數"},
+                 at_most_a_million);
+  program.option("--seed", scene.seed, "k", {"of the random numbers", "亂數種子"});
   program.option(
       "--mesh", scene.mesh, "FILE",
-      "search the triangles of this mesh instead (OBJ, OFF, PLY, STL); progress is shown if it is large");
-  program.option("--leaf", scene.places.leaf, "x,y", "where the leaf of the hit tests stands");
-  program.option("--hook", scene.places.hook, "x,y", "where the hook stands");
-  program.option("--pointer", scene.places.pointer, "x,y", "where the pointer is");
+      {"search the triangles of this mesh instead (OBJ, OFF, PLY, STL); progress is shown if it is large",
+       "改為搜尋此網格的三角形（OBJ、OFF、PLY、STL）；檔案較大時顯示進度"});
+  program.option("--leaf", scene.places.leaf, "x,y",
+                 {"where the leaf of the hit tests stands", "碰撞測試中葉子的位置"});
+  program.option("--hook", scene.places.hook, "x,y", {"where the hook stands", "鉤子的位置"});
+  program.option("--pointer", scene.places.pointer, "x,y", {"where the pointer is", "游標的位置"});
   return program.run(argc, argv, [&] {
     if (program.given("--mesh") && program.given("--objects"))
       throw Refused("--objects " + std::to_string(scene.objects) + ": must not be given with --mesh");

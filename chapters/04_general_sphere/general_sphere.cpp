@@ -195,18 +195,22 @@ void run_casts(Program& program, const Scene& scene, const Environment& environm
 //! [main]
 int main(int argc, char** argv) {
   Program program("general_sphere", "04_general_sphere",
-                  "A moving sphere meets an arbitrary environment (paper, 2.1).");
+                  {"A moving sphere meets an arbitrary environment (paper, 2.1).",
+                   "球面與任意環境之間的碰撞（論文 2.1）。"});
   Scene scene;
   program.option("--mesh", scene.mesh, "FILE",
-                 "the environment: an OBJ, OFF, PLY or STL file; progress is shown if it is large");
+                 {"the environment: an OBJ, OFF, PLY or STL file; progress is shown if it is large",
+                  "環境：OBJ、OFF、PLY 或 STL 檔；檔案較大時顯示進度"});
   program.option("--solid", scene.solid, std::vector<std::string>{"cut-cube", "prism"},
-                 "the environment, if there is no mesh");
-  program.option("--from", scene.from, "x,y,z", "centre of the sphere at t = 0");
-  program.option("--to", scene.to, "x,y,z", "centre of the sphere at t = 1");
-  program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
-  program.option("--casts", scene.casts, "IN.csv", "many casts, a line each: x0,y0,z0,x1,y1,z1,r");
+                 {"the environment, if there is no mesh", "沒有網格時的環境"});
+  program.option("--from", scene.from, "x,y,z", {"centre of the sphere at t = 0", "球心在 t = 0 時的位置"});
+  program.option("--to", scene.to, "x,y,z", {"centre of the sphere at t = 1", "球心在 t = 1 時的位置"});
+  program.option("--radius", scene.radius, "r", {"radius of the sphere", "球的半徑"}, not_negative);
+  program.option("--casts", scene.casts, "IN.csv",
+                 {"many casts, a line each: x0,y0,z0,x1,y1,z1,r", "多次投射，每行一次：x0,y0,z0,x1,y1,z1,r"});
   program.option("--results", scene.results, "OUT.csv",
-                 "their results: hit,time,px,py,pz,nx,ny,nz,feature,triangle");
+                 {"their results: hit,time,px,py,pz,nx,ny,nz,feature,triangle",
+                  "其結果：hit,time,px,py,pz,nx,ny,nz,feature,triangle"});
   return program.run(argc, argv, [&] {
     const auto moving = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};

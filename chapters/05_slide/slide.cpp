@@ -218,18 +218,22 @@ void tell_studies(Program& program, const Environment& environment, const Moving
 
 //! [main]
 int main(int argc, char** argv) {
-  Program program("slide", "05_slide", "A sphere slides along what it meets (paper, 2.2).");
+  Program program("slide", "05_slide",
+                  {"A sphere slides along what it meets (paper, 2.2).", "球面沿障礙物滑動（論文 2.2）。"});
   Scene scene;
   long frames = 10000;
   program.option(
       "--mesh", scene.mesh, "FILE",
-      "the surface: .obj, .off, .ply or .stl; a level wall if none; progress is shown if it is large");
-  program.option("--from", scene.from, "x,y,z", "P1, centre of the sphere at the start");
-  program.option("--to", scene.to, "x,y,z", "P2, where it is sent");
-  program.option("--radius", scene.radius, "r", "radius of the sphere", not_negative);
+      {"the surface: .obj, .off, .ply or .stl; a level wall if none; progress is shown if it is large",
+       "曲面：.obj、.off、.ply 或 .stl；未指定時為一面水平牆；檔案較大時顯示進度"});
+  program.option("--from", scene.from, "x,y,z", {"P1, centre of the sphere at the start", "P1，球心的起點"});
+  program.option("--to", scene.to, "x,y,z", {"P2, where it is sent", "P2，球心的目標"});
+  program.option("--radius", scene.radius, "r", {"radius of the sphere", "球的半徑"}, not_negative);
   program.option("--wall", scene.wall, "x,y,z",
-                 "a second wall, from the ground at x = 1 by this vector; 0: none");
-  program.option("--frames", frames, "n", "of the walk over each whole surface", up_to_a_million);
+                 {"a second wall, from the ground at x = 1 by this vector; 0: none",
+                  "第二面牆，自地面 x = 1 處沿此向量立起；0 表示沒有"});
+  program.option("--frames", frames, "n", {"of the walk over each whole surface", "走過每個曲面的影格數"},
+                 up_to_a_million);
   return program.run(argc, argv, [&] {
     const auto environment = program.checked({"--mesh", "--wall"}, [&] { return scene.environment(); });
     const auto ball = program.checked({"--to", "--from", "--radius"}, [&] { return scene.ball(); });

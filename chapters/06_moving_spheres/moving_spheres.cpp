@@ -183,16 +183,20 @@ void tell_studies(Program& program) {
 
 //! [main]
 int main(int argc, char** argv) {
-  Program program("moving_spheres", "06_moving_spheres",
-                  "Two moving spheres meet, and part again (paper, 2.3).");
+  Program program(
+      "moving_spheres", "06_moving_spheres",
+      {"Two moving spheres meet, and part again (paper, 2.3).", "兩個移動球面的碰撞與分離（論文 2.3）。"});
   Scene scene;
-  program.option("--p1", scene.p1, "x,y,z", "centre of the sphere P at t = 0");
-  program.option("--p2", scene.p2, "x,y,z", "centre of P at t = 1");
-  program.option("--rp", scene.rp, "r", "radius of P", not_negative);
-  program.option("--q1", scene.q1, "x,y,z", "centre of the sphere Q at t = 0");
-  program.option("--q2", scene.q2, "x,y,z", "centre of Q at t = 1");
-  program.option("--rq", scene.rq, "r", "radius of Q", not_negative);
-  program.option("--interval", scene.interval, "a,b", "the times between which a contact counts");
+  program.option("--p1", scene.p1, "x,y,z",
+                 {"centre of the sphere P at t = 0", "球 P 的球心在 t = 0 時的位置"});
+  program.option("--p2", scene.p2, "x,y,z", {"centre of P at t = 1", "P 的球心在 t = 1 時的位置"});
+  program.option("--rp", scene.rp, "r", {"radius of P", "P 的半徑"}, not_negative);
+  program.option("--q1", scene.q1, "x,y,z",
+                 {"centre of the sphere Q at t = 0", "球 Q 的球心在 t = 0 時的位置"});
+  program.option("--q2", scene.q2, "x,y,z", {"centre of Q at t = 1", "Q 的球心在 t = 1 時的位置"});
+  program.option("--rq", scene.rq, "r", {"radius of Q", "Q 的半徑"}, not_negative);
+  program.option("--interval", scene.interval, "a,b",
+                 {"the times between which a contact counts", "只計入此時間範圍內的接觸"});
   return program.run(argc, argv, [&] {
     const auto p = program.checked({"--p2", "--p1", "--rp"}, [&] { return scene.p(); });
     const auto q = program.checked({"--q2", "--q1", "--rq"}, [&] { return scene.q(); });

@@ -209,18 +209,25 @@ std::string sample_count(double value) {
 //! [main]
 int main(int argc, char** argv) {
   Program program("tween_bounce", "07_tween_bounce",
-                  "Tweens, and a ball that falls and rebounds (paper, 2.4.2).");
+                  {"Tweens, and a ball that falls and rebounds (paper, 2.4.2).",
+                   "補間動畫，以及落下反彈的球（論文 2.4.2）。"});
   Scene scene;
-  program.option("--v0", scene.v0, "v", "speed at the start, positive downwards");
-  program.option("--y0", scene.y0, "y", "height at the start; the floor is at 0", not_negative);
-  program.option("--g", scene.g, "g", "gravity; without it the ball flies straight", not_negative);
-  program.option("--dt", scene.dt, "dt", "time from one sample to the next", positive);
-  program.option("--samples", scene.samples, "n", "number of samples", sample_count);
-  program.option("--restitution", scene.restitution, "e", "part of the speed that an impact leaves",
-                 at_most_one);
+  program.option("--v0", scene.v0, "v", {"speed at the start, positive downwards", "初速，向下為正"});
+  program.option("--y0", scene.y0, "y", {"height at the start; the floor is at 0", "起始高度；地板在 0"},
+                 not_negative);
+  program.option("--g", scene.g, "g",
+                 {"gravity; without it the ball flies straight", "重力加速度；為 0 時球直線飛行"},
+                 not_negative);
+  program.option("--dt", scene.dt, "dt", {"time from one sample to the next", "相鄰取樣的時間間隔"},
+                 positive);
+  program.option("--samples", scene.samples, "n", {"number of samples", "取樣數"}, sample_count);
+  program.option("--restitution", scene.restitution, "e",
+                 {"part of the speed that an impact leaves", "碰撞後保留的速率比例"}, at_most_one);
   program.option("--model", scene.model, std::vector<std::string>{"printed", "physical"},
-                 "of the results, the file and figures 13 to 15");
-  program.option("--csv", scene.csv, "OUT.csv", "write the samples there, columns t,y; or a film's pictures");
+                 {"of the results, the file and figures 13 to 15", "用於結果、檔案與圖 13 至 15"});
+  program.option("--csv", scene.csv, "OUT.csv",
+                 {"write the samples there, columns t,y; or a film's pictures",
+                  "將取樣寫入該檔，欄位為 t,y；或寫入影片的各格畫面"});
   const tween_bounce::FilmOptions film(program);
   return program.run(argc, argv, [&] {
     if (tween_bounce::run_film(program, film, scene.csv)) return;

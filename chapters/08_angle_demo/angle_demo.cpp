@@ -257,20 +257,23 @@ void show_one(Program& program, const Encounter& encounter, bool printed) {
 //! [main]
 int main(int argc, char** argv) {
   Program program("angle_demo", "08_angle_demo",
-                  "Where two bodies go after an impact (paper, 2.4.2 (iii), program 4).");
+                  {"Where two bodies go after an impact (paper, 2.4.2 (iii), program 4).",
+                   "兩物體碰撞後的去向（論文 2.4.2 (iii)、程式4）。"});
   Encounter scene;
   std::string model = "printed";
-  program.option("--mass", scene.mass, "m1,m2", "masses of the two bodies; inf for a wall", positive,
+  program.option("--mass", scene.mass, "m1,m2",
+                 {"masses of the two bodies; inf for a wall", "兩物體的質量；inf 表示牆"}, positive,
                  Range::infinite_too);
-  program.option("--p1", scene.p1, "x,y", "where body 1 starts");
-  program.option("--p2", scene.p2, "x,y", "where body 2 starts");
-  program.option("--v1", scene.v1, "x,y", "velocity of body 1");
-  program.option("--v2", scene.v2, "x,y", "velocity of body 2");
-  program.option("--restitution", scene.restitution, "e", "coefficient of restitution; program 4's r",
-                 at_most_one);
-  program.option("--radius", scene.radius, "r", "radius of both discs", not_negative);
-  program.option("--model", model, std::vector<std::string>{"printed", "contact"},
-                 "program 4 as printed, or with the normal at contact");
+  program.option("--p1", scene.p1, "x,y", {"where body 1 starts", "物體 1 的起點"});
+  program.option("--p2", scene.p2, "x,y", {"where body 2 starts", "物體 2 的起點"});
+  program.option("--v1", scene.v1, "x,y", {"velocity of body 1", "物體 1 的速度"});
+  program.option("--v2", scene.v2, "x,y", {"velocity of body 2", "物體 2 的速度"});
+  program.option("--restitution", scene.restitution, "e",
+                 {"coefficient of restitution; program 4's r", "恢復係數；即程式4 的 r"}, at_most_one);
+  program.option("--radius", scene.radius, "r", {"radius of both discs", "兩圓盤的半徑"}, not_negative);
+  program.option(
+      "--model", model, std::vector<std::string>{"printed", "contact"},
+      {"program 4 as printed, or with the normal at contact", "論文的程式4，或改用接觸時的法向量"});
   return program.run(argc, argv, [&] {
     program.report().title({"Angles after an impact", "碰撞後的行進角度"}, "2.4.2 (iii), 3.1.2");
     bool given = false;

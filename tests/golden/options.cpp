@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "catch.hpp"
 #include "run_program.hpp"
@@ -32,8 +34,12 @@ const std::vector<Bad> all_bad{
     {"plane", {"--radius=", "--json"}, {"--radius ''", "not empty"}},
     {"plane", {"--values", "", "--no-figures"}, {"--values ''", "not empty"}},
     {"plane", {"--style", "."}, {"--style .", "file"}},
-    {"plane", {"--colour", "red"}, {"--colour"}},
-    {"plane", {"extra"}, {"extra"}},
+    {"plane", {"--colour", "red"}, {"--colour", "an option"}},
+    {"plane", {"--colour=red"}, {"--colour=red", "an option"}},
+    {"plane", {"-r", "1"}, {"-r", "an option"}},
+    {"plane", {"--json=yes"}, {"--json=yes", "an option"}},
+    {"plane", {"extra"}, {"extra", "an option"}},
+    {"plane", {"--radius", "1", "2"}, {"2", "an option"}},
     {"plane", {"--radius"}, {"--radius"}},
     {"box", {"--r", "1,0,0", "--s", "1,1,0"}, {"perpendicular"}},
     {"box", {"--plane", "0,0,0,1"}, {"--plane", "0,0,0,1", "not zero"}},
@@ -108,6 +114,45 @@ TEST_CASE("Each program explains itself with --help, and names every common opti
     for (const std::string option :
          {"--help", "--out", "--lang", "--json", "--no-figures", "--format", "--theme"})
       CHECK(run.out.find(option) != std::string::npos);
+  }
+}
+
+TEST_CASE(
+    "A bad value is refused in Chinese where Chinese was asked for, and names option and value all the "
+    "same") {
+  for (const Bad& bad : all_bad) {
+    if (bad.arguments.front() == "--lang") continue;
+    std::vector<std::string> arguments{"--lang", "zh-TW"};
+    arguments.insert(arguments.end(), bad.arguments.begin(), bad.arguments.end());
+    const Run run = run_program(bad.program, arguments);
+    CAPTURE(bad.program, text_of(arguments), run.err);
+    CHECK(run.status == 2);
+    CHECK(run.err.find("：") != std::string::npos);
+    for (const std::string english : {"must", "cannot", "exist"})
+      CHECK(run.err.find(english) == std::string::npos);
+    for (const auto& part : bad.named)
+      if (part.starts_with("--")) CHECK(run.err.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("Each program explains the same options in Chinese, each in Chinese") {
+  const std::regex option("\n  (--[a-z0-9-]+)");
+  for (const Chapter& chapter : all_chapters()) {
+    const std::string english = run_program(chapter.program, {"--help"}).out;
+    const std::string chinese = run_program(chapter.program, {"--lang=zh-TW", "--help"}).out;
+    CAPTURE(chapter.program, chinese);
+    std::vector<std::string> names;
+    for (std::sregex_iterator each(english.begin(), english.end(), option), end; each != end; ++each)
+      names.push_back((*each)[1]);
+    CHECK(names.size() > 9);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::size_t from = chinese.find("\n  " + names[i]);
+      REQUIRE(from != std::string::npos);
+      const std::string told = chinese.substr(
+          from, i + 1 < names.size() ? chinese.find("\n  " + names[i + 1]) - from : std::string::npos);
+      CAPTURE(told);
+      CHECK(std::any_of(told.begin(), told.end(), [](char c) { return (c & '\x80') != 0; }));
+    }
   }
 }
 

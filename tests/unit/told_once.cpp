@@ -16,7 +16,7 @@ namespace {
 
 /// What a program prints that tells of a tenth, a count, a vector and a rounded third.
 std::string printed(std::vector<const char*> arguments) {
-  Program program("told", "01_plane", "Tells.");
+  Program program("told", "01_plane", {"Tells.", "說明。"});
   arguments.insert(arguments.begin(), {"told", "--no-figures"});
   std::ostringstream text;
   std::streambuf* const screen = std::cout.rdbuf(text.rdbuf());

@@ -73,11 +73,14 @@ void tell_film(Program& program, const Film& film, const Showing& showing, const
 }  // namespace
 
 FilmOptions::FilmOptions(Program& program) {
-  program.option("--film", word, "WORD|FILE", "a film instead: " + scene_names() + ", or a JSON file");
-  program.option("--fps", per_second, "n", "pictures of a film in one second", [](double value) {
-    return value >= 1 && value <= 240 ? std::string() : std::string("must be from 1 to 240");
-  });
-  program.option("--at", at, "t", "freezes the film at that time");
+  program.option("--film", word, "WORD|FILE",
+                 {"a film instead: " + scene_names() + ", or a JSON file",
+                  "改放影片：" + scene_names() + "，或 JSON 檔"});
+  program.option("--fps", per_second, "n", {"pictures of a film in one second", "影片每秒的畫面數"},
+                 [](double value) {
+                   return value >= 1 && value <= 240 ? std::string() : std::string("must be from 1 to 240");
+                 });
+  program.option("--at", at, "t", {"freezes the film at that time", "將影片凍結在該時刻"});
 }
 
 bool run_film(Program& program, const FilmOptions& options, const std::string& table) {

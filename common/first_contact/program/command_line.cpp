@@ -26,6 +26,14 @@ bool names_a_file(const CLI::Option& option) {
 
 }  // namespace
 
+Language language_asked(int argc, const char* const* argv) {
+  const std::vector<std::string> words(argv, argv + argc);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == "--lang=zh-TW" || (words[i] == "zh-TW" && i > 0 && words[i - 1] == "--lang"))
+      return Language::chinese;
+  return Language::english;
+}
+
 void require_different_files(const CLI::App& line) {
   const auto files = line.get_options(
       [](const CLI::Option* option) { return option->count() > 0 && names_a_file(*option); });
@@ -46,6 +54,8 @@ std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char
     const std::string word = argv[i], name = word.substr(0, word.find('='));
     arguments.push_back(word);
     const CLI::Option* const option = option_with_value(line, name);
+    if (option == nullptr && line.get_option_no_throw(word) == nullptr)
+      throw Refused(printable(word) + ": must be an option that --help lists");
     if (option == nullptr) continue;
     std::string value = word.substr(std::min(name.size() + 1, word.size()));
     if (name == word) {

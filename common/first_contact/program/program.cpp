@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -13,17 +12,13 @@
 #include "first_contact/files/output.hpp"
 #include "first_contact/files/printable.hpp"
 #include "first_contact/program/command_line.hpp"
+#include "first_contact/program/help.hpp"
+#include "first_contact/program/in_chinese.hpp"
 #include "first_contact/program/json.hpp"
-#include "first_contact/program/numbers.hpp"
 
 namespace first_contact::program {
 
 namespace {
-
-void obey(const Program::Rule& rule, double value) {
-  const std::string broken = rule ? rule(value) : "";
-  if (!broken.empty()) throw Refused(broken);
-}
 
 constexpr std::size_t most_of_a_message = 2000;  // bytes
 
@@ -33,18 +28,13 @@ int all_printed() {
   return 0;
 }
 
-std::string joined(const std::vector<double>& numbers) {
-  std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : ",") + readable(number);
-  return text;
-}
-
 }  // namespace
 
 struct Program::Inside {
-  explicit Inside(const std::string& purpose) : line(purpose) {}
+  explicit Inside(Text purpose) : help{std::move(purpose), {}} {}
 
   CLI::App line;
+  Help help;
   std::string name;
   std::vector<std::string> own_options;  // of the chapter, which its numbers depend on
   std::vector<std::function<void()>> checks;
@@ -65,13 +55,11 @@ struct Program::Inside {
   // An option whose text is checked and taken over once the whole line has been read. CLI11's own validators
   // do not serve: they let nan into every range, cut 1e20 down to the largest whole number, take "1,2,3," for
   // three numbers, and do not set the value beside its option.
-  void add(const std::string& option, const std::string& letters, const std::string& help,
+  void add(const std::string& option, const std::string& letters, const Text& meaning,
            const std::string& value, std::function<void(const std::string&)> take) {
-    line.add_option(
-            option, [](const CLI::results_t&) { return true; }, help)
-        ->type_name(letters)
-        ->default_str(value)
-        ->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    CLI::Option* const added = line.add_option(option, [](const CLI::results_t&) { return true; });
+    added->type_name(letters)->default_str(value)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    help.meanings.emplace_back(added, meaning);
     checks.emplace_back([this, option, take = std::move(take)] {
       if (!given(option)) return;
       try {
@@ -82,11 +70,15 @@ struct Program::Inside {
     });
   }
 
+  void flag(const std::string& option, bool& value, const Text& meaning) {
+    help.meanings.emplace_back(line.add_flag(option, value), meaning);
+  }
+
   void choose(const std::string& option, std::string& value, const std::vector<std::string>& choices,
-              const std::string& help) {
+              const Text& meaning) {
     std::string all;
     for (const auto& choice : choices) all += (all.empty() ? "" : "|") + choice;
-    add(option, all, help, value, [&value, choices, all](const std::string& text) {
+    add(option, all, meaning, value, [&value, choices, all](const std::string& text) {
       if (std::find(choices.begin(), choices.end(), text) == choices.end())
         throw Refused("must be one of " + all);
       value = text;
@@ -104,100 +96,51 @@ struct Program::Inside {
   }
 };
 
-Program::Program(std::string name, const std::string& chapter, const std::string& purpose)
+Program::Program(std::string name, const std::string& chapter, const Text& purpose)
     : inside_(std::make_unique<Inside>(purpose)) {
   Inside& in = *inside_;
   in.name = std::move(name);
   in.line.name(in.name);
-  in.line.set_help_flag("--help", "print this and exit");
+  in.help.meanings.emplace_back(in.line.set_help_flag("--help", "-"),
+                                Text{"print this and exit", "顯示此說明後結束"});
   in.out = "out/" + chapter;
-  in.add("--out", "DIR", "folder for figures", in.out, [&in](const std::string& text) {
+  in.add("--out", "DIR", {"folder for figures", "存放圖的資料夾"}, in.out, [&in](const std::string& text) {
     if (text.empty()) throw Refused("must name a folder");
     in.out = text;
   });
-  in.choose("--lang", in.language, {"en", "zh-TW"}, "language of report and labels");
-  in.choose("--format", in.format, {"svg", "png", "pdf"}, "of the pictures");
+  in.choose("--lang", in.language, {"en", "zh-TW"},
+            {"language of report and labels", "報告、標示、說明與錯誤訊息的語言"});
+  in.choose("--format", in.format, {"svg", "png", "pdf"}, {"of the pictures", "圖檔格式"});
   in.choose("--theme", in.theme, {"light", "dark", "grey"},
-            "of png and pdf; an svg follows its reader's theme");
-  in.add("--style", "FILE", "gnuplot commands read after the house style: sizes, letters, colours", "",
-         [&in](const std::string& text) {
+            {"of png and pdf; an svg follows its reader's theme", "png 與 pdf 的配色；svg 依讀者的設定"});
+  in.add("--style", "FILE",
+         {"gnuplot commands read after the house style: sizes, letters, colours",
+          "在本書樣式之後讀入的 gnuplot 指令：尺寸、字型、顏色"},
+         "", [&in](const std::string& text) {
            std::error_code ignored;
            if (!std::filesystem::is_regular_file(text, ignored) || !std::ifstream(text))
              throw Refused("must be a file that can be read");
            in.studio.own = text;
          });
-  in.line.add_flag("--json", in.as_json, "print only the results, as JSON");
-  in.add("--values", "OUT.json", "write the numbers that the notes show", "", [&in](const std::string& text) {
-    if (text.empty()) throw Refused("must name a file");
-    in.values_file = text;
-  });
-  in.line.add_flag("--no-figures", in.no_figures, "write no figures");
+  in.flag("--json", in.as_json, {"print only the results, as JSON", "只以 JSON 輸出結果"});
+  in.add("--values", "OUT.json", {"write the numbers that the notes show", "寫出書中所示的數值"}, "",
+         [&in](const std::string& text) {
+           if (text.empty()) throw Refused("must name a file");
+           in.values_file = text;
+         });
+  in.flag("--no-figures", in.no_figures, {"write no figures", "不畫圖"});
 }
 
 Program::~Program() = default;
 
-void Program::add(const std::string& name, const std::string& letters, const std::string& help,
+void Program::add(const std::string& name, const std::string& letters, const Text& help,
                   const std::string& value, std::function<void(const std::string&)> take) {
   inside_->own_options.push_back(name);
   inside_->add(name, letters, help, value, std::move(take));
 }
 
-void Program::option(const std::string& name, double& value, const std::string& letters,
-                     const std::string& help, const Rule& rule) {
-  add(name, letters, help, readable(value), [&value, rule](const std::string& text) {
-    const double number = number_of(text);
-    obey(rule, number);
-    value = number;
-  });
-}
-
-void Program::option(const std::string& name, long& value, const std::string& letters,
-                     const std::string& help, const Rule& rule) {
-  add(name, letters, help, std::to_string(value), [&value, rule](const std::string& text) {
-    long number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size()) throw Refused("must be a whole number");
-    obey(rule, static_cast<double>(number));
-    value = number;
-  });
-}
-
-void Program::option(const std::string& name, Vector& value, const std::string& letters,
-                     const std::string& help) {
-  add(name, letters, help, joined({value.x(), value.y(), value.z()}), [&value](const std::string& text) {
-    const auto numbers = numbers_of(text, 3);
-    value = {numbers[0], numbers[1], numbers[2]};
-  });
-}
-
-void Program::option(const std::string& name, Eigen::Vector2d& value, const std::string& letters,
-                     const std::string& help, const Rule& rule, Range range) {
-  add(name, letters, help, joined({value.x(), value.y()}), [&value, rule, range](const std::string& text) {
-    const auto numbers = numbers_of(text, 2, range);
-    for (const double number : numbers) obey(rule, number);
-    value = {numbers[0], numbers[1]};
-  });
-}
-
-void Program::option(const std::string& name, Plane& value, const std::string& letters,
-                     const std::string& help) {
-  const Homogeneous& e = value.coefficients();
-  add(name, letters, help, joined({e.x(), e.y(), e.z(), e.w()}), [&value](const std::string& text) {
-    const auto numbers = numbers_of(text, 4);
-    value = Plane({numbers[0], numbers[1], numbers[2]}, numbers[3]);
-  });
-}
-
-void Program::option(const std::string& name, std::string& value, const std::string& letters,
-                     const std::string& help) {
-  add(name, letters, help, value, [&value](const std::string& text) {
-    if (text.empty()) throw Refused("must not be empty");
-    value = text;
-  });
-}
-
 void Program::option(const std::string& name, std::string& value, const std::vector<std::string>& choices,
-                     const std::string& help) {
+                     const Text& help) {
   inside_->choose(name, value, choices, help);
 }
 
@@ -231,7 +174,7 @@ int Program::execute(int argc, char** argv, const std::function<void()>& chapter
   try {
     in.line.parse(arguments_of(in.line, argc, argv));
   } catch (const CLI::CallForHelp&) {
-    std::cout << in.line.help();
+    std::cout << in.help.of(in.line, language_asked(argc, argv));
     return all_printed();
   }
   require_different_files(in.line);
@@ -247,8 +190,10 @@ int Program::execute(int argc, char** argv, const std::function<void()>& chapter
 }
 
 int Program::run(int argc, char** argv, const std::function<void()>& chapter) {
-  const auto fail = [this](int status, const std::string& what) {
-    std::cerr << inside_->name << ": " << printable(what, most_of_a_message) << '\n';
+  const bool chinese = language_asked(argc, argv) == Language::chinese;
+  const auto fail = [this, chinese](int status, const std::string& what) {
+    const std::string shown = printable(what, most_of_a_message);
+    std::cerr << inside_->name << ": " << (chinese ? in_chinese(shown) : shown) << '\n';
     return status;
   };
   try {

@@ -23,9 +23,9 @@ namespace first_contact::program {
 /// failure.
 ///
 ///     int main(int argc, char** argv) {
-///       Program program("plane", "01_plane", "A moving sphere meets a plane (paper, 1.2).");
+///       Program program("plane", "01_plane", {"A moving sphere meets a plane.", "球面與平面之間的碰撞。"});
 ///       double radius = 1;
-///       program.option("--radius", radius, "r", "radius of the sphere", not_negative);
+///       program.option("--radius", radius, "r", {"radius of the sphere", "球的半徑"}, not_negative);
 ///       return program.run(argc, argv, [&] {
 ///         ...
 ///         program.row("t", contact->time, {"time of impact", "碰撞時間"}).result("/contact/time");
@@ -36,7 +36,7 @@ class Program {
   /// \param name  of the program
   /// \param purpose  one line for `--help`
   /// \param chapter  the folder of the chapter, also of its figures: "01_plane"
-  Program(std::string name, const std::string& chapter, const std::string& purpose);
+  Program(std::string name, const std::string& chapter, const Text& purpose);
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
   ~Program();
@@ -46,18 +46,17 @@ class Program {
 
   ///@{
   /// Options with their default values; vectors are comma-separated, `--p1=-1,8` and `--p1 -1,8` alike.
-  void option(const std::string& name, double& value, const std::string& letters, const std::string& help,
+  void option(const std::string& name, double& value, const std::string& letters, const Text& help,
               const Rule& rule = {});
-  void option(const std::string& name, long& value, const std::string& letters, const std::string& help,
+  void option(const std::string& name, long& value, const std::string& letters, const Text& help,
               const Rule& rule = {});
-  void option(const std::string& name, Vector& value, const std::string& letters, const std::string& help);
-  void option(const std::string& name, Eigen::Vector2d& value, const std::string& letters,
-              const std::string& help, const Rule& rule = {}, Range range = Range::finite);
-  void option(const std::string& name, Plane& value, const std::string& letters, const std::string& help);
-  void option(const std::string& name, std::string& value, const std::string& letters,
-              const std::string& help);
+  void option(const std::string& name, Vector& value, const std::string& letters, const Text& help);
+  void option(const std::string& name, Eigen::Vector2d& value, const std::string& letters, const Text& help,
+              const Rule& rule = {}, Range range = Range::finite);
+  void option(const std::string& name, Plane& value, const std::string& letters, const Text& help);
+  void option(const std::string& name, std::string& value, const std::string& letters, const Text& help);
   void option(const std::string& name, std::string& value, const std::vector<std::string>& choices,
-              const std::string& help);
+              const Text& help);
   ///@}
 
   /// Was this option given on the command line?
@@ -165,8 +164,8 @@ class Program {
 
  private:
   std::string told(const std::vector<std::string>& names) const;
-  void add(const std::string& name, const std::string& letters, const std::string& help,
-           const std::string& value, std::function<void(const std::string&)> take);
+  void add(const std::string& name, const std::string& letters, const Text& help, const std::string& value,
+           std::function<void(const std::string&)> take);
   void run_chapter(const std::function<void()>& chapter);
   int execute(int argc, char** argv, const std::function<void()>& chapter);
 
