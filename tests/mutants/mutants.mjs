@@ -1,7 +1,8 @@
 // Would the tests notice? Changes one token of the library at a time, builds it, and runs the tests, until one fails.
 //   node tests/mutants/mutants.mjs [--count N] [--seed N] [--jobs N] [FOLDER or FILE ...]
 // Prints the survivors: mutants that no test notices. Those that cannot be noticed stand in equivalent.json, with the
-// reason. Ends with status 1 if more than one in twenty of the others survives.
+// reason. Ends with status 1 if more than one in twenty of the others survives. A run that is broken off goes on where it
+// stood when it is begun again.
 import {execFileSync, spawn} from 'node:child_process';
 import {copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {availableParallelism} from 'node:os';
@@ -9,6 +10,7 @@ import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {parseArgs} from 'node:util';
 import {changed, marked, mutantsOf} from './tokens.mjs';
+import {Verdicts} from './verdicts.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url)), root = resolve(here, '../..');
 const library = 'common/first_contact';
@@ -71,7 +73,7 @@ function chance(seed) {
 
 function chosen({count, seed, places}) {
   const all = places.flatMap(filesOf).flatMap((file) =>
-    mutantsOf(readFileSync(join(root, file), 'utf8')).map((mutant) => ({file, ...mutant})));
+    mutantsOf(textOf(file)).map((mutant) => ({file, ...mutant})));
   const random = chance(seed);
   for (let i = all.length - 1; i > 0; --i) {
     const j = Math.floor(random() * (i + 1));
@@ -148,12 +150,23 @@ const equivalent = JSON.parse(readFileSync(join(here, 'equivalent.json'), 'utf8'
 const reasonOf = ({file, line, column, to}) => equivalent.find((known) =>
   file.endsWith('/' + known.file) && known.line === line && known.column === column && known.to === to.trim())?.reason;
 
+const textOf = (file) => readFileSync(join(root, file), 'utf8');
+
 async function work(jobs, mutants, tell) {
-  const shops = Array.from({length: jobs}, (_, i) => new Workshop(i + 1));
+  const whole = git('ls-files', library, 'tests').filter((file) => existsSync(join(root, file))).map(textOf);
+  const verdicts = new Verdicts(join(root, 'build/mutants/verdicts'), whole), open = [];
+  for (const mutant of mutants) {
+    const fate = verdicts.of(mutant, textOf(mutant.file));
+    fate ? tell(mutant, fate) : open.push(mutant);
+  }
+  const shops = Array.from({length: Math.min(jobs, open.length)}, (_, i) => new Workshop(i + 1));
   await Promise.all(shops.map((shop) => shop.open()));
-  const open = [...mutants];
   await Promise.all(shops.map(async (shop) => {
-    for (let mutant = open.shift(); mutant; mutant = open.shift()) tell(mutant, await shop.judge(mutant));
+    for (let mutant = open.shift(); mutant; mutant = open.shift()) {
+      const fate = await shop.judge(mutant);
+      verdicts.keep(mutant, textOf(mutant.file), fate);
+      tell(mutant, fate);
+    }
   }));
 }
 
@@ -161,7 +174,7 @@ const asked = options(), {mutants, of} = chosen(asked);
 console.log(`${mutants.length} of ${of} mutants, seed ${asked.seed}`);
 const counts = new Map(), survivors = [];
 let excused = 0;
-await work(Math.min(asked.jobs, mutants.length), mutants, (mutant, fate) => {
+await work(asked.jobs, mutants, (mutant, fate) => {
   const reason = fate === 'survives' && reasonOf(mutant);
   const verdict = reason ? 'equivalent' : fate;
   counts.set(verdict, (counts.get(verdict) ?? 0) + 1);
