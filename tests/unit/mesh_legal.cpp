@@ -34,6 +34,12 @@ TEST_CASE("A byte order mark may stand before each of two files that were put to
   CHECK(both.faces()[1] == Mesh::Face{3, 4, 5});
 }
 
+TEST_CASE("PLY: there may be none of an element that is no vertex") {
+  const std::string none = "element edge 0\nproperty int vertex1\nproperty int vertex2\n";
+  CHECK(read("a.ply", ply + vertices + none + faces + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").size() ==
+        1);
+}
+
 TEST_CASE("OBJ: any statement may go on behind a backslash, with a blank before it or without") {
   const Mesh mesh = read("a.obj", "v 0 \\\n0 0\nv 1\\\n 0 0\r\nv 0 1 0\nf 1 2\\\r\n 3\n");
   CHECK(mesh.vertices()[0] == Point(0, 0, 0));
