@@ -6,9 +6,10 @@ import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 import {executable} from './checks/browsing.mjs';
 import {checkPrint} from './checks/print.mjs';
-import {build, complain, docs, escape, html, read, stopIfWrong} from './tools/book.mjs';
+import {build, complain, docs, escape, fromRoot, html, language, read, stopIfWrong} from './tools/book.mjs';
 import {unresolvedIn} from './tools/references.mjs';
 import {treeOf} from './tools/tree.mjs';
+import {say} from './tools/words.mjs';
 import {bodyOf} from './print/body.mjs';
 import {finishPdf} from './print/finish.mjs';
 import {colophon, contents, titlePage} from './print/front.mjs';
@@ -33,7 +34,7 @@ function pageRules() {
 // The answers, chapter by chapter, and the index are made of what was found in the chapters.
 function madeParts(bodies, pages) {
   const given = parts.filter(({id}) => bodies.get(id)?.answers).map(({id, number, title}) =>
-    `<section><h2>Chapter ${number} · ${escape(title)}</h2>${bodies.get(id).answers}</section>`);
+    `<section><h2>${say('chapter', number, escape(title))}</h2>${bodies.get(id).answers}</section>`);
   const made = ({title}, text) => ({title: `<h1 class="title">${title}</h1>`, text, glyphs: '', sections: []});
   bodies.set(answers.id, made(answers, given.join('')));
   bodies.set(index.id, made(index, indexText(pages)));
@@ -51,7 +52,7 @@ function assemble(pages, blanks) {
   madeParts(bodies, pages);
   const face = (name) => `<link rel="stylesheet" href="${pathToFileURL(join(docs, 'node_modules/@fontsource', name + '.css')).href}">`;
   const style = (name) => `<style>${read(html, name)}</style>`;
-  return `<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` + faces.map(face).join('') +
+  return `<!DOCTYPE html><html lang="${language}" class="light-mode"><head><meta charset="utf-8"><title>First Contact</title>` + faces.map(face).join('') +
     ['tabs.css', 'doxygen.css', 'doxygen-awesome.css', 'book.css', 'made.css', 'print.css'].map(style).join('') +
     `<style>@media print { ${pageRules()} }</style></head><body class="book"><main>${titlePage()}${colophon()}${contents(bodies, pages)}` +
     parts.map((part) => article(part, bodies.get(part.id), blanks)).join('') + '</main></body></html>';
@@ -105,4 +106,4 @@ await finishPdf(pdf);
 writeFileSync(join(build, 'places.json'), JSON.stringify(Object.fromEntries(told.places), null, 1));
 const said = await checkPrint();
 stopIfWrong('checking the print edition');
-console.log(`The print edition is build/notes/first-contact.pdf: ${said}`);
+console.log(`The print edition is ${fromRoot(pdf)}: ${said}`);

@@ -43,6 +43,9 @@ check "two names for the tests are refused" refused test plane box
 check "verify looks at its options before it builds" refused verify --count many
 check "two exercises at once are refused" refused check '1a 1b'
 mkdir -p build
+check "a language that the book does not speak is refused" refused notes --pdf --lang fr
+check "the book is printed or photographed" refused notes --pdf --screenshot
+check "there is one picture of the book, in English" refused notes --lang zh-TW --screenshot
 check "what takes nothing is not begun with something" refused clean all
 check "clean --help explains, and removes nothing" eval 'says "$(./course clean --help)" "usage: ./course" && [ -d build ]'
 linked=$(mktemp -d)

@@ -204,14 +204,8 @@ std::string sample_count(double value) {
   return value >= 1 && value <= 1e6 ? "" : "must be from 1 to 1000000";
 }
 
-}  // namespace
-
-//! [main]
-int main(int argc, char** argv) {
-  Program program("tween_bounce", "07_tween_bounce",
-                  {"Tweens, and a ball that falls and rebounds (paper, 2.4.2).",
-                   "補間動畫，以及落下反彈的球（論文 2.4.2）。"});
-  Scene scene;
+//! [options]
+void take_options(Program& program, Scene& scene) {
   program.option("--v0", scene.v0, "v", {"speed at the start, positive downwards", "初速，向下為正"});
   program.option("--y0", scene.y0, "y", {"height at the start; the floor is at 0", "起始高度；地板在 0"},
                  not_negative);
@@ -228,6 +222,18 @@ int main(int argc, char** argv) {
   program.option("--csv", scene.csv, "OUT.csv",
                  {"write the samples there, columns t,y; or a film's pictures",
                   "將取樣寫入該檔，欄位為 t,y；或寫入影片的各格畫面"});
+}
+//! [options]
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("tween_bounce", "07_tween_bounce",
+                  {"Tweens, and a ball that falls and rebounds (paper, 2.4.2).",
+                   "補間動畫，以及落下反彈的球（論文 2.4.2）。"});
+  Scene scene;
+  take_options(program, scene);
   const tween_bounce::FilmOptions film(program);
   return program.run(argc, argv, [&] {
     if (tween_bounce::run_film(program, film, scene.csv)) return;

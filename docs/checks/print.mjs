@@ -3,10 +3,12 @@
 import {execFileSync} from 'node:child_process';
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {PDFDocument, PDFName} from 'pdf-lib';
+import {PDFDocument} from 'pdf-lib';
 import {build, complain, read, root} from '../tools/book.mjs';
 import {plottedIn} from '../tools/figure.mjs';
 import {treeOf} from '../tools/tree.mjs';
+import {bookmarksOf, titleOf} from '../print/finish.mjs';
+import {version} from '../print/front.mjs';
 import {parts} from '../print/parts.mjs';
 
 const pdf = join(build, 'first-contact.pdf'), where = 'the print edition';
@@ -84,27 +86,15 @@ function checkOpenings(places) {
   }
 }
 
-function outlineOf(document) {
-  const titles = [];
-  const walk = (item) => {
-    for (let at = item; at; at = at.lookup(PDFName.of('Next'))) {
-      titles.push(at.lookup(PDFName.of('Title')).decodeText());
-      walk(at.lookup(PDFName.of('First')));
-    }
-  };
-  walk(document.catalog.lookup(PDFName.of('Outlines'))?.lookup(PDFName.of('First')));
-  return titles;
-}
-
 const plain = (markup) => markup.replace(/<[^>]*>/g, '').replaceAll('&amp;', '&').trim();
 
 async function checkDocument(tree) {
-  const document = await PDFDocument.load(readFileSync(pdf), {updateMetadata: false}), titles = outlineOf(document);
+  const document = await PDFDocument.load(readFileSync(pdf), {updateMetadata: false}), titles = [...bookmarksOf(document)].map(titleOf);
   const have = new Set(titles.map(letters));
   for (const heading of tree('article h1.title, article h2').toArray().map((element) => plain(tree(element).text())))
     if (!have.has(letters(heading))) complain(where, `the bookmarks lack "${heading}"`);
   if (!document.getTitle() || !document.getAuthor()) complain(where, 'has no title, or no author');
-  if (!/version/i.test(document.getSubject())) complain(where, 'tells no version');
+  if (!document.getSubject().includes(version)) complain(where, 'tells no version');
   if (/chrome/i.test(document.getCreator())) complain(where, 'is said to be made by the browser');
   return {titles: titles.length, pages: document.getPageCount()};
 }

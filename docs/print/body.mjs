@@ -1,6 +1,7 @@
 // A finished page of the site as a part of the printed book.
 import {escape, html, read} from '../tools/book.mjs';
 import {treeOf} from '../tools/tree.mjs';
+import {say} from '../tools/words.mjs';
 import {markTerms} from './terms.mjs';
 import {answers, partOf, placeInBook} from './parts.mjs';
 import {said} from './said.mjs';
@@ -60,7 +61,7 @@ function tellPages(tree, id, pages) {
   tree('p a[href^="#"], li a[href^="#"], td a[href^="#"], dd a[href^="#"], figcaption a[href^="#"]').each((_, element) => {
     const link = tree(element), place = link.attr('href').slice(1);
     if (link.closest(notReferred).length || link.is('.section, .cite') || partOf(place) === id) return;
-    link.after(`<span class="on-page"> (page ${pages.get(place) ?? '000'})</span>`);
+    link.after(`<span class="on-page"> ${say('on page', pages.get(place) ?? '000')}</span>`);
   });
 }
 
@@ -82,7 +83,7 @@ function leadToAnswers(tree, given, pages) {
     const place = link.attribs.href.slice(1), line = tree(link).parent(), isAlone = line.text() === tree(link).text();
     const question = isAlone ? line.prev('p') : line;
     (isAlone ? line : tree(link)).remove();
-    question.append(` <a class="on-page" href="#${place}">(answer: page ${pages.get(place) ?? '000'})</a>`);
+    question.append(` <a class="on-page" href="#${place}">${say('answer on page', pages.get(place) ?? '000')}</a>`);
   });
 }
 

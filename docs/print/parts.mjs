@@ -1,5 +1,6 @@
 // What stands in the printed book, in its order, and how a link within it is written.
 import {appendices, chapters, otherPages} from '../tools/book.mjs';
+import {say} from '../tools/words.mjs';
 
 const page = (id) => otherPages.find((each) => each.id === id);
 const filesOfLibrary = otherPages.filter(({isLibrary, folders}) => isLibrary && folders);
@@ -8,7 +9,9 @@ const back = otherPages.filter(({front, letter, isLibrary, isWorkbook}) =>
   !front && !letter && !isLibrary && !isWorkbook);
 
 /// The answers and the index are made here; `under` is the part that a part goes on in, without a new page.
-export const answers = {id: 'answers', title: 'Answers'}, index = {id: 'terms', title: 'Index'};
+export const answers = {id: 'answers', title: say('answers')}, index = {id: 'terms', title: say('index')};
+
+/// An edition in another language prints what of it is there.
 export const parts = [
   {...page('reading'), onRight: true},
   page('primer'),
@@ -16,8 +19,8 @@ export const parts = [
   ...appendices.map((part) => ({...part, onRight: true})),
   {...page('library'), onRight: true}, ...filesOfLibrary.map((part) => ({...part, under: 'library'})),
   {...page('workbook'), onRight: true}, ...exercises.map((part) => ({...part, under: 'workbook'})),
-  ...back.slice(0, 1), {...answers, onRight: true}, ...back.slice(1), index,
-];
+  ...back.slice(0, 1), {...answers, isHere: true, onRight: true}, ...back.slice(1), {...index, isHere: true},
+].filter(({isHere}) => isHere);
 
 /// Where a link leads in the book, as #PLACE; nowhere if that page is not in it.
 export function placeInBook(target, own) {

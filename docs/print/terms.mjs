@@ -1,6 +1,7 @@
 // The index: every term of the glossary, with the pages on which a chapter tells of it first.
-import {escape} from '../tools/book.mjs';
+import {escape, isOriginal} from '../tools/book.mjs';
 import {terms} from '../tools/glossary.mjs';
+import {say} from '../tools/words.mjs';
 
 const marks = new Map();  // English -> place -> is it told there what it means?
 
@@ -9,11 +10,15 @@ export const clearMarks = () => terms.forEach(({english}) => marks.set(english, 
 
 const wordsOf = (part) => part.text().replace(/\s+/g, ' ');
 
+// In another language, the term's name there.
+const formOf = ({pattern, chinese}) => isOriginal ? pattern : new RegExp(chinese.split(/、|，/).join('|'));
+
 /// Notes where a chapter first uses each term, and where it sets the term in italics: there it says what it means.
 export function markTerms(tree, id) {
   const blocks = tree('.textblock').find('p, li, figcaption, td').toArray().map((element) =>
     ({element, text: wordsOf(tree(element)), told: tree(element).find('em').toArray().map((em) => wordsOf(tree(em)))}));
-  for (const {english, pattern} of terms) {
+  for (const term of terms) {
+    const {english} = term, pattern = formOf(term);
     const isTold = ({told}) => told.some((text) => pattern.test(text));
     const first = blocks.find(({text}) => pattern.test(text)), explained = blocks.find(isTold);
     for (const block of new Set([first, explained].filter(Boolean))) mark(tree, id, block.element, english, isTold(block));
@@ -39,14 +44,13 @@ function entry({english, chinese}, pages) {
 
 const byName = (a, b) => a.english.localeCompare(b.english, 'en');
 
-/// The index as HTML.
+/// The index as HTML. What an edition does not tell yet is not in its index.
 export function indexText(pages) {
   const letters = new Map();
-  for (const term of [...terms].sort(byName)) {
+  for (const term of [...terms].sort(byName).filter(({english}) => isOriginal || marks.get(english).size)) {
     const letter = term.english[0].toUpperCase();
     letters.set(letter, [...letters.get(letter) ?? [], entry(term, pages)]);
   }
-  const about = 'In bold: where it is told what a term means. Of each chapter that uses it, the first place is named.';
-  return `<p class="about">${about}</p>` + '<div class="columns">' +
+  return `<p class="about">${say('about the index')}</p>` + '<div class="columns">' +
          [...letters].map(([letter, entries]) => `<h2 class="letter">${letter}</h2><ul>${entries.join('')}</ul>`).join('') + '</div>';
 }

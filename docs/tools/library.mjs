@@ -3,6 +3,7 @@
 import {existsSync, readdirSync, statSync} from 'node:fs';
 import {basename, dirname, join} from 'node:path';
 import {appendices, chapters, complain, escape, filesBelow, fromRoot, libraryRoot, otherPages, read, root} from './book.mjs';
+import {say} from './words.mjs';
 
 const isCode = (name) => /\.(cpp|hpp|inc)$/.test(name);
 const order = ['.hpp', '.inc', '.cpp'];
@@ -58,9 +59,9 @@ for (const chapter of chapters)
   reach.set(chapter, reachedFrom(filesBelow(join(root, 'chapters', chapter.folder), (file) => /\.(cpp|hpp)$/.test(file))));
 
 const link = (page) => `<a href="${page.page}">${page.number ? `${page.number} · ` : ''}${escape(page.title)}</a>`;
-const links = (list) => list.length === chapters.length ? 'all chapters' : list.length > 1 && list.length === chapters.length - 1
-  ? `all chapters but ${link(chapters.find((chapter) => !list.includes(chapter)))}`
-  : `chapter${list.length > 1 ? 's' : ''} ${list.map(link).join(', ')}`;
+const links = (list) => list.length === chapters.length ? say('all chapters') : list.length > 1 && list.length === chapters.length - 1
+  ? say('all chapters but', link(chapters.find((chapter) => !list.includes(chapter))))
+  : say(list.length > 1 ? 'in chapters' : 'in one chapter', list.map(link).join(', '));
 
 /// "told in chapter 1 · The plane; used in chapters 2 · The box, 3 · Partitioning": found in the pages and in the sources.
 export function whereTold(files, snippets) {
@@ -68,9 +69,9 @@ export function whereTold(files, snippets) {
   const tells = ({id}) => snippets.some(({file, page}) => page === id && names.includes(file));
   const told = chapters.filter(tells), appended = appendices.filter(tells);
   const used = chapters.filter((chapter) => !told.includes(chapter) && files.some((file) => reach.get(chapter).has(file)));
-  const rest = told.length && told.length + used.length === chapters.length ? 'all others' : links(used);
-  const parts = [told.length && `told in ${links(told)}`, appended.length && `told in ${appended.map(link).join(', ')}`,
-                 used.length && `used in ${rest}`].filter(Boolean);
+  const rest = told.length && told.length + used.length === chapters.length ? say('all others') : links(used);
+  const parts = [told.length && say('told in', links(told)), appended.length && say('told in', appended.map(link).join(', ')),
+                 used.length && say('used in', rest)].filter(Boolean);
   return parts.length ? `<p class="told">${parts.join('; ')}</p>` : '';
 }
 
@@ -81,8 +82,8 @@ export function libraryTable(says) {
   const rows = otherPages.filter(({folders}) => folders).map((page) => {
     const files = codeOf(page);
     const lines = files.reduce((sum, name) => sum + read(libraryRoot, name).trimEnd().split('\n').length, 0);
-    return `<div><dt><a href="${page.page}">${escape(page.short)}</a></dt><dd>${says(firstParagraph(page))} <small>${files.length} files, ` +
-           `${lines.toLocaleString('en')} lines</small></dd></div>`;
+    return `<div><dt><a href="${page.page}">${escape(page.short)}</a></dt><dd>${says(firstParagraph(page))} <small>${say('files and lines', files.length, lines.toLocaleString('en'))}` +
+           `</small></dd></div>`;
   });
   return `<dl class="folders">${rows.join('')}</dl>`;
 }

@@ -2,6 +2,7 @@
 // what kills it, and the chapter that explains it. Those of the workbook's catalogue say of themselves what they are.
 import {join} from 'node:path';
 import {chapters, data, exercises, filesBelow, fromRoot, read, root} from './book.mjs';
+import {say} from './words.mjs';
 
 /// The lines "// Key: words" at the head of a known wrong answer.
 function headOf(file) {
@@ -31,7 +32,7 @@ function pictureOf(picture) {
   const path = `../../figures/${picture}.svg`;
   for (const {source, number, title} of chapters) {
     const text = read(source), at = text.indexOf(`](${path})`);
-    if (at >= 0) return `![${text.slice(text.lastIndexOf('![', at) + 2, at)}](${path})\n{#${picture.replaceAll('/', '-').replaceAll('_', '-')}} From chapter ${number}, *${title}*.\n\n`;
+    if (at >= 0) return `![${text.slice(text.lastIndexOf('![', at) + 2, at)}](${path})\n{#${picture.replaceAll('/', '-').replaceAll('_', '-')}} ${say('picture from', number, title)}\n\n`;
   }
   throw new Error(`museum.json: ${picture} stands in no essay`);
 }
@@ -48,13 +49,13 @@ function exhibit(entry, known) {
   const told = own ? own.head['Looks like'] : entry.wrong, what = told[0].toUpperCase() + told.slice(1);
   const where = own ? own.head['Seen in'] : entry.sources.join('; ');
   const code = own ? fromRoot(own.file).replace('chapters/', '') : entry.code.join(' ').trim();
-  const killed = own ? `[${exercise.title}](../../${fromRoot(exercise.source)}) names it, and the test of that exercise kills it.`
-                     : `the test “${verbatim(entry.killed)}”`;
-  return `## ${entry.title}\n\n**What went wrong:** ${verbatim(what)}\n\n**Seen in:** ${verbatim(where)}.\n\n**What a player saw:** ${verbatim(entry.saw)}\n\n` +
-         pictureOf(entry.picture) + `\\folded ${code} | Its code, in our words\n` +
-         (entry.with ?? []).map((key) => `\\folded ${fromRoot(known.get(key).file).replace('chapters/', '')} | The same elsewhere\n`).join('') +
-         `\n**Killed by:** ${killed}\n\n` +
-         `**Explained in:** [${chapter.title}](../../${fromRoot(chapter.source)})\n\n`;
+  const killed = own ? say('killed by exercise', `[${exercise.title}](../../${fromRoot(exercise.source)})`)
+                     : say('killed by test', verbatim(entry.killed));
+  return `## ${entry.title}\n\n**${say('went wrong')}** ${verbatim(what)}\n\n**${say('seen in')}** ${verbatim(where)}.\n\n**${say('player saw')}** ${verbatim(entry.saw)}\n\n` +
+         pictureOf(entry.picture) + `\\folded ${code} | ${say('code in our words')}\n` +
+         (entry.with ?? []).map((key) => `\\folded ${fromRoot(known.get(key).file).replace('chapters/', '')} | ${say('same elsewhere')}\n`).join('') +
+         `\n**${say('killed by')}** ${killed}\n\n` +
+         `**${say('explained in')}** [${chapter.title}](../../${fromRoot(chapter.source)})\n\n`;
 }
 
 /// The page, as its author would have written it.

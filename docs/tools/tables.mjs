@@ -3,6 +3,7 @@ import {chapters, data, escape} from './book.mjs';
 import {formula} from './formula.mjs';
 import {formatted, valueOf} from './values.mjs';
 import {prose} from './weave.mjs';
+import {say} from './words.mjs';
 
 const byLabel = (a, b) => a.label.localeCompare(b.label, 'en', {numeric: true});
 
@@ -21,10 +22,10 @@ const names = (list, mark) => [list].flat().filter(Boolean).map((name) => `<${ma
 function where(item) {
   const figure = [item.figure].flat().filter(Boolean)
       .map((path) => `<a href="${figurePage(path)}">${escape(path.split('/')[1])}</a>`).join(', ');
-  return `<dl class="where-found"><div><dt>chapter</dt><dd>${[item.chapter].flat().map(chapterLink).join(', ')}</dd></div>` +
-         `<div><dt>code</dt><dd>${names(item.function, 'code')}</dd></div>` +
-         `<div><dt>test</dt><dd>${names(item.test, 'q')}</dd></div>` +
-         (figure ? `<div><dt>figure</dt><dd>${figure}</dd></div>` : '') + '</dl>';
+  return `<dl class="where-found"><div><dt>${say('in chapter')}</dt><dd>${[item.chapter].flat().map(chapterLink).join(', ')}</dd></div>` +
+         `<div><dt>${say('its code')}</dt><dd>${names(item.function, 'code')}</dd></div>` +
+         `<div><dt>${say('its test')}</dt><dd>${names(item.test, 'q')}</dd></div>` +
+         (figure ? `<div><dt>${say('its figure')}</dt><dd>${figure}</dd></div>` : '') + '</dl>';
 }
 
 const figurePage = (path) => chapters.find(({folder}) => folder === path.split('/')[0])?.page ?? '#';
@@ -40,18 +41,18 @@ function printedNumber(item) {
   try {
     computed = formatted(valueOf(item.value));
   } catch { /* the check says what is wrong */ }
-  return `<p>printed ${escape(item.printed.replace('-', '−'))}, computed <b>${computed}</b></p>`;
+  return `<p>${say('printed and computed', escape(item.printed.replace('-', '−')), `<b>${computed}</b>`)}</p>`;
 }
 
 export function paperTable() {
   const map = data('paper-map.json');
   const part = (id, title, rows) => `<h2 id="${id}">${title}</h2><div class="items">${rows.join('')}</div>`;
-  return part('sections', 'Sections', map.sections.map((item) => row('s' + item.id, `§${item.id}`, text(item.says), item))) +
-         part('equations', 'Equations', map.equations.map((item) =>
+  return part('sections', say('sections'), map.sections.map((item) => row('s' + item.id, `§${item.id}`, text(item.says), item))) +
+         part('equations', say('equations'), map.equations.map((item) =>
            row('e' + item.id, `(${item.id})`, formula(item.tex), item))) +
-         part('figures', 'Figures', map.figures.map((item) => row('f' + item.id, `Figure ${item.id}`, text(item.says), item))) +
-         part('listings', 'Listings', map.listings.map((item) => row('p' + item.id, `Program ${item.id}`, text(item.says), item))) +
-         part('numbers', 'Printed numbers', map.numbers.map((item, i) =>
+         part('figures', say('figures'), map.figures.map((item) => row('f' + item.id, say('numbered figure', item.id), text(item.says), item))) +
+         part('listings', say('listings'), map.listings.map((item) => row('p' + item.id, say('numbered program', item.id), text(item.says), item))) +
+         part('numbers', say('numbers'), map.numbers.map((item, i) =>
            row('n' + (i + 1), escape(item.of), printedNumber(item), item)));
 }
 
@@ -59,11 +60,11 @@ export function paperTable() {
 
 export function errataTable() {
   return '<div class="errata">' + data('errata.json').map((fault, i) => {
-    const say = (words) => `<p>${prose(words, 'errata.json')}</p>`;
+    const told = (words) => `<p>${prose(words, 'errata.json')}</p>`;
     return `<section id="erratum-${i + 1}"><h2>${i + 1}. ${prose(fault.title, 'errata.json')}</h2>` +
            `<p class="place">${prose(fault.place, 'errata.json')}</p>` +
-           `<dl><div><dt>As printed</dt><dd>${say(fault.printed)}</dd></div>` +
-           `<div><dt>What happens</dt><dd>${say(fault.wrong)}</dd></div>` +
-           `<div><dt>Remedy</dt><dd>${say(fault.remedy)}</dd></div></dl>${where(fault)}</section>`;
+           `<dl><div><dt>${say('as printed')}</dt><dd>${told(fault.printed)}</dd></div>` +
+           `<div><dt>${say('what happens')}</dt><dd>${told(fault.wrong)}</dd></div>` +
+           `<div><dt>${say('remedy')}</dt><dd>${told(fault.remedy)}</dd></div></dl>${where(fault)}</section>`;
   }).join('') + '</div>';
 }

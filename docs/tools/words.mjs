@@ -7,10 +7,11 @@ for (const [name, others] of Object.entries(strings))
   for (const key of new Set([...Object.keys(strings.en), ...Object.keys(others)]))
     if (!(key in others) || !(key in strings.en)) complain('docs/strings.json', `"${key}" is not said in each language: ${name}`);
 
-/// The words of that name; what is given stands in the places of {}.
+/// The words of that name, or of [a list's name, and the place in it]; what is given stands in the places of {}.
 export const say = (name, ...given) => {
-  if (!(name in words)) throw new Error(`docs/strings.json has no "${name}"`);
-  return given.reduce((text, each) => text.replace('{}', () => each), words[name]);
+  const [list, place] = [name].flat(), found = place === undefined ? words[list] : words[list]?.[place];
+  if (found === undefined) throw new Error(`docs/strings.json has no "${name}"`);
+  return given.reduce((text, each) => text.replace('{}', () => each), found);
 };
 
 /// "no roots", "one division", "two dot products"
