@@ -1,5 +1,5 @@
 // Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
-// console, no formula in error, nothing wider than its page, text and figures' letters with enough contrast (WCAG AA);
+// console, no formula in error, nothing wider than its page, text and figures' letters large and with contrast enough (WCAG AA);
 // and by the keyboard alone.
 import {basename} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -18,11 +18,24 @@ function faultsOfParts(wholeBook) {
   for (const part of document.querySelectorAll('div.fragment, pre.output, pre.shell'))
     if (part.offsetParent && part.scrollWidth > part.clientWidth + 1) faults.push(`code must be scrolled: ${part.textContent.trim().slice(0, 40)}`);
   if (document.querySelector('[data-mml-node="merror"], mjx-merror, merror')) faults.push('a formula is in error');
-  for (const image of document.querySelectorAll('figure > svg'))
+  for (const image of document.querySelectorAll('.drawn > svg'))
     if (image.getAttribute('role') !== 'img' || !image.getAttribute('aria-label'))
       faults.push('a figure without alternative text');
   if (document.querySelectorAll('main').length !== 1 || !document.querySelector('nav')) faults.push('a landmark is missing');
   if (document.querySelectorAll('h1').length !== 1) faults.push(`${document.querySelectorAll('h1').length} titles`);
+  return faults;
+}
+
+// A subscript may be smaller than the letter that it belongs to.
+function faultsOfLetters() {
+  const least = 10.9, faults = [];
+  for (const text of document.querySelectorAll('.drawn > svg text')) {
+    const matrix = text.getScreenCTM(), sizes = [text, ...text.querySelectorAll('tspan')]
+        .filter(({childNodes}) => [...childNodes].some((node) => node.nodeType === 3 && node.data.trim()))
+        .map((part) => parseFloat(getComputedStyle(part).fontSize));
+    const size = matrix && sizes.length ? Math.max(...sizes) * Math.hypot(matrix.a, matrix.b) : least;
+    if (size < least) faults.push(`letters of ${size.toFixed(1)} pixels: "${text.textContent.trim()}"`);
+  }
   return faults;
 }
 
@@ -58,7 +71,7 @@ function faultsOfContrast() {
     const style = getComputedStyle(element), least = parseFloat(style.fontSize) >= 24 ? 3 : 4.5;
     check(style.color, element, least, `${element.localName}.${element.className}`);
   }
-  for (const text of document.querySelectorAll('figure > svg text')) {  // against the paper
+  for (const text of document.querySelectorAll('.drawn > svg text')) {  // against the paper
     const {fill} = getComputedStyle(text);
     if (fill !== 'none') check(fill, text.closest('figure'), 4.5, `the figures' letters in ${fill}`);
   }
@@ -87,7 +100,7 @@ async function faultsOfKeyboard(page) {
     document.activeElement?.blur();
     scrollTo(0, 0);
     const shown = (element) => element.checkVisibility({visibilityProperty: true}) && !element.disabled && element.tabIndex >= 0;
-    const all = [...document.querySelectorAll('a[href], button, summary, input')]
+    const all = [...document.querySelectorAll('a[href], button, summary, input, .drawn[tabindex]')]
         .filter((element) => shown(element) && !element.closest('#MSearchResultsWindow, #MSearchSelectWindow'));
     all.forEach((element, i) => { element.dataset.stop = i; });
     return all.length;
@@ -125,7 +138,7 @@ async function openVisitor(browser, [colorScheme, width, height]) {
   return async (file, wholeBook) => {
     name = `${basename(file)} (${colorScheme}, ${width})`;
     await page.goto(pathToFileURL(file).href);
-    for (const faults of [faultsOfParts, faultsOfContrast, faultsOfNames])
+    for (const faults of [faultsOfParts, faultsOfLetters, faultsOfContrast, faultsOfNames])
       for (const fault of await page.evaluate(faults, wholeBook)) complain(name, fault);
     if (wholeBook && colorScheme === 'light' && keyboard.has(basename(file))) for (const fault of await faultsOfKeyboard(page)) complain(`${name}, keyboard`, fault);
   };

@@ -61,7 +61,7 @@ function checkPoints(tree) {
   const {figures} = JSON.parse(read(build, 'shown.json')), known = new Set(parts.map(({id}) => id));
   const paths = figures.filter(({page}) => known.has(page)).map(({path}) => path);
   const plotted = paths.reduce((sum, path) => sum + plottedIn(read(root, path)), 0);
-  const printed = tree('figure > svg use').filter((_, use) => !tree(use).closest('defs').length).length;
+  const printed = tree('.drawn > svg use').filter((_, use) => !tree(use).closest('defs').length).length;
   if (plotted !== printed) complain(where, `${printed} plotted points, but the figures' files have ${plotted}`);
   return printed;
 }

@@ -46,6 +46,11 @@
     picture.before(button);
   };
 
+  // A drawing that is wider than the page is scrolled, also by the keyboard.
+  const reachable = new ResizeObserver((drawings) => {
+    for (const {target} of drawings) target.scrollWidth > target.clientWidth + 1 ? target.tabIndex = 0 : target.removeAttribute('tabindex');
+  });
+
   addEventListener('DOMContentLoaded', () => {
     show();
     document.getElementById('theme').addEventListener('click', () => {
@@ -69,5 +74,6 @@
     unfold();
     document.querySelectorAll('div.fragment, pre.output, pre.shell').forEach(copyButton);
     document.querySelectorAll('svg.moves').forEach(pauseButton);
+    document.querySelectorAll('.drawn').forEach((drawing) => reachable.observe(drawing));
   });
 })();

@@ -15,13 +15,28 @@ const darkRulesOf = ({children}) => children[0].value.match(/\[[a-z]+="[^"]*"\]\
 const isPaper = ({name, attributes}, parent) => name === 'rect' && parent.name === 'g' && attributes.fill === '#ffffff' &&
     attributes.x === '0' && attributes.y === '0';
 
+const smallestLabel = 11;  // pixels
+
+// How large the letters of each text are, where they are largest: a subscript may be smaller.
+function sizesOf(node, inherited) {
+  const size = parseFloat(node.attributes?.['font-size'] ?? inherited), below = (node.children ?? []).flatMap((child) => sizesOf(child, size));
+  if (node.name === 'text') return below.length ? [Math.max(...below)] : [];
+  return node.type === 'text' && node.value.trim() ? [size] : below;
+}
+
+// How wide a drawing has to be for its labels to be read on any screen.
+function leastWidth(svg) {
+  const [, , width] = svg.attributes.viewBox.split(' ').map(Number), labels = (svg.children ?? []).flatMap((child) => sizesOf(child, NaN));
+  return labels.length ? Math.ceil(smallestLabel / Math.min(...labels.filter((size) => size > 0)) * width) : 0;
+}
+
 // The page is the paper, and has the colours; the picture is told in words, and is as wide as its column lets it be.
 const intoPage = (alternative) => ({name: 'intoPage', fn: () => ({element: {enter(node, parent) {
   if (isDarkStyle(node)) darkRulesOf(node).forEach((rule) => darkRules.add(rule));
   if (isDarkStyle(node) || isPaper(node, parent)) parent.children = parent.children.filter((child) => child !== node);
   if (node.name !== 'svg') return;
   const {viewBox, width, xmlns} = node.attributes, xlink = node.attributes['xmlns:xlink'];
-  node.attributes = {viewBox, style: `--width:${parseFloat(width)}px`, xmlns, 'xmlns:xlink': xlink, role: 'img', 'aria-label': alternative};
+  node.attributes = {viewBox, style: `--width:${parseFloat(width)}px;--least:${leastWidth(node)}px`, xmlns, 'xmlns:xlink': xlink, role: 'img', 'aria-label': alternative};
 }}})});
 
 // What is drawn is left as it is, to the last digit. gnuplot gives some of its ids twice; those that a mark is known by

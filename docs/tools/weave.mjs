@@ -117,7 +117,7 @@ class Page {
     shown.figures.push({path, page: this.id});
     if (alternative.length < 20) complain(this.where(line), `the figure ${name} needs an alternative text that tells what is seen`);
     const svg = this.attempt(line, () => this.pictures(path, `${this.id}-${name}`.replaceAll('_', '-'), alternative));
-    return `<figure id="figure-${name}">${svg}<figcaption><b>${say('figure')}&nbsp;${this.figureNumber(name, line)}.</b> `;
+    return `<figure id="figure-${name}"><div class="drawn">${svg}</div><figcaption><b>${say('figure')}&nbsp;${this.figureNumber(name, line)}.</b> `;
   }
 
   // The picture, and, where the chapter draws it moving as well, that one: the style sheet shows one of the two.
