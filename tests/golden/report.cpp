@@ -26,8 +26,8 @@ TEST_CASE("The chapters are those that the notes list, in their order, from the 
   CHECK(chapters.size() >= 8);
   REQUIRE(chapters.size() == listed.size());
   for (std::size_t i = 0; i < chapters.size(); ++i) {
-    CHECK(chapters[i].folder == listed[i]["folder"]);
-    CHECK(chapters[i].program == listed[i]["program"]);
+    CHECK(chapters[i].folder == listed[i]["folder"].get<std::string>());
+    CHECK(chapters[i].program == listed[i]["program"].get<std::string>());
   }
 }
 
