@@ -1,6 +1,7 @@
 // Chapter 2: a moving box meets a plane (paper, 1.3), what a camera rejects, and box or sphere (1.1, 3.2.1).
 #include <cmath>
 
+#include "camera.hpp"
 #include "figures/figures.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/box_plane.hpp"
@@ -105,19 +106,22 @@ void tell_landings(Program& program) {
   }
 }
 
-void tell_sights(Report& report, Language language) {
+void tell_sight(Report& report, Language language, const box_chapter::Sight& sight) {
   static const std::array<Text, 6> sides{
       {{"left", "左"}, {"right", "右"}, {"lower", "下"}, {"upper", "上"}, {"near", "近"}, {"far", "遠"}}};
+  const std::string sign = sight.rejected ? " < " : " > ";
+  const Text& side = sides[sight.plane];
+  report.row(sight.name.in(language),
+             box_chapter::rounded(sight.distance) + sign + box_chapter::rounded(-sight.radius),
+             {side.english + " plane: " + (sight.rejected ? "rejected" : "kept"),
+              side.chinese + "面：" + (sight.rejected ? "剔除" : "保留")});
+}
+
+void tell_sights(Report& report, Language language, const Box& box) {
   report.say({"A camera rejects a box if E.Q < -r_eff for a plane of its frustum (worst plane shown)",
               "視野截錐體：任一面 E.Q < -r_eff 則不可視（列出最差的一面）"});
-  for (const auto& sight : box_chapter::sights()) {
-    const std::string sign = sight.rejected ? " < " : " > ";
-    const Text& side = sides[sight.plane];
-    report.row(sight.name.in(language),
-               box_chapter::rounded(sight.distance) + sign + box_chapter::rounded(-sight.radius),
-               {side.english + " plane: " + (sight.rejected ? "rejected" : "kept"),
-                side.chinese + "面：" + (sight.rejected ? "剔除" : "保留")});
-  }
+  tell_sight(report, language, box_chapter::sight_of({"the box above", "上述匣面"}, box));
+  for (const auto& sight : box_chapter::sights()) tell_sight(report, language, sight);
   report.also(
       {"  The last is out of view, off an edge of the frustum, but behind no single plane: rejection is "
        "cautious.",
@@ -172,6 +176,15 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
   program.value("error_bound", error_of_time(lengths_of(box, scene.plane), norm(motion), n.dot(motion)));
 }
 
+// ... of what the camera sees of it ...
+void note_camera(Program& program, const Box& box) {
+  const box_chapter::Seen seen = box_chapter::seen(box);
+  const std::array<std::string, 6> planes{"left", "right", "lower", "upper", "near", "far"};
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    program.result("/camera/highest/" + planes[i], seen.highest[i]);
+  program.result("/camera/rejected", seen.rejected);
+}
+
 // ... and of the studies.
 void note_studies(Program& program) {
   const box_chapter::TurnedTogether turned = box_chapter::turned_together();
@@ -202,9 +215,9 @@ void note_studies(Program& program) {
 //! [notes]
 
 //! [studies]
-void tell_studies(Program& program) {
+void tell_studies(Program& program, const Box& box) {
   tell_landings(program);
-  tell_sights(program.report(), program.language());
+  tell_sights(program.report(), program.language(), box);
   tell_bounding(program.report(), program.language());
   note_studies(program);
 }
@@ -238,7 +251,8 @@ int main(int argc, char** argv) {
     tell_contact(program, moving, contact);
     tell_corrections(program.report(), scene.plane, box);
     note_scene(program, scene, moving);
-    if (!program.results_alone()) tell_studies(program);
+    note_camera(program, box);
+    if (!program.results_alone()) tell_studies(program, box);
     if (program.draws()) draw_box_figures(program, scene.plane, moving, contact);
   });
 }

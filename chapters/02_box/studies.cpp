@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "camera.hpp"
 #include "first_contact/program/counted.hpp"
 
 using namespace first_contact;
@@ -49,29 +50,16 @@ TurnedTogether turned_together() {
 //! [landings]
 
 //! [sights]
-Transform camera() {
-  const Eigen::Matrix3d axes = (Eigen::Matrix3d() << 0, 0, -1, -1, 0, 0, 0, 1, 0).finished();  // x along -z
-  const Rigid stand(Eigen::Quaterniond(axes), {0, 0, 0});
-  return Transform::perspective(2 * std::atan(0.2), 2.8, 1.2, 6).after(stand.inverse().transform());
+Sight sight_of(const Text& name, const Box& box) {
+  const Seen found = seen(box);
+  const std::size_t worst = found.worst();
+  return {name, box, worst, found.distance[worst], found.radius[worst], found.rejected};
 }
 
 std::vector<Sight> sights() {
-  const Frustum frustum(camera());
-  const auto judged = [&](const Text& name, const Point& q, double turn, const Vector& size) {
+  const auto judged = [](const Text& name, const Point& q, double turn, const Vector& size) {
     const Rigid stand = Rigid::moved_by(q).after(Rigid::turned({0, 0, 1}, turn));
-    const Box box = stand.box({{0, 0, 0}, {size.x(), 0, 0}, {0, size.y(), 0}, {0, 0, size.z()}});
-    const auto ahead = [&](const Plane& e) {
-      return e.signed_distance(q) + box.effective_radius(e.normal());
-    };
-    const auto& planes = frustum.planes;
-    const auto* const worst = std::min_element(
-        planes.begin(), planes.end(), [&](const Plane& a, const Plane& b) { return ahead(a) < ahead(b); });
-    return Sight{name,
-                 box,
-                 static_cast<std::size_t>(worst - planes.begin()),
-                 worst->signed_distance(q),
-                 box.effective_radius(worst->normal()),
-                 rejected(frustum, box)};
+    return sight_of(name, stand.box({{0, 0, 0}, {size.x(), 0, 0}, {0, size.y(), 0}, {0, 0, size.z()}}));
   };
   return {judged({"within", "在內"}, {3.4, 0.3, -0.2}, 0.5, {0.8, 0.8, 0.8}),
           judged({"across the side", "跨邊"}, {4.2, -2.4, 0}, 0.2, {1, 1, 0.8}),

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "first_contact/geometry/bounding.hpp"
-#include "first_contact/geometry/frustum.hpp"
 #include "first_contact/program/language.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 
@@ -48,8 +47,7 @@ struct Sight {
   double radius;      ///< r_eff
   bool rejected;
 };
-/// A camera at the origin that looks along x, with z upwards.
-first_contact::Transform camera();
+Sight sight_of(const Text& name, const Box& box);
 std::vector<Sight> sights();
 
 /// A shape, given by points on its surface, and its three bounding shapes.

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "figures.hpp"
+#include "first_contact/geometry/transform.hpp"
 #include "parts.hpp"
 #include "studies.hpp"
 

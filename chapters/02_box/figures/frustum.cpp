@@ -1,3 +1,4 @@
+#include "camera.hpp"
 #include "figures.hpp"
 #include "parts.hpp"
 #include "studies.hpp"

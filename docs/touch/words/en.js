@@ -22,6 +22,18 @@ export const words = {
     seen: (first, count) => `Of ${count} frames, number ${first} is the first to show them together.`,
   },
 
+  frustum: {
+    title: 'A plank and what a camera sees, from above',
+    caption: `<b>To touch.</b> Drag the plank by its centre <b>Q</b>, and turn it. For each plane of the frustum its highest point is told,
+      <b>E</b> · <b>Q</b> + <i>r</i><sub>eff</sub>: below 0 all of the plank is behind that plane, and it is rejected. Pink is the plane
+      that it is farthest behind. Off an edge a plank that nobody sees is kept.`,
+    plank: 'Q, the centre of the plank', turn: {html: 'turn', spoken: 'turn of the plank in degrees'},
+    left: 'left', right: 'right', lower: 'lower', upper: 'upper', near: 'near', far: 'far',
+    verdict: 'the plank is', rejected: 'rejected', kept: 'kept',
+    behind: (side, depth) => `The plank is rejected: its highest point is ${depth} behind the ${side} plane.`,
+    before: (side, height) => `The plank is kept: over each plane something of it is in front, over the ${side} plane ${height}.`,
+  },
+
   'hit-test': {
     title: 'A leaf, a hook and a pointer on a stage',
     caption: `<b>To touch.</b> Drag the pointer, the leaf and the hook. <code>hitTestPoint</code> asks the box of the leaf or, with its flag,

@@ -1,0 +1,24 @@
+#pragma once
+#include <array>
+
+#include "first_contact/geometry/box.hpp"
+#include "first_contact/geometry/transform.hpp"
+
+namespace box_chapter {
+
+/// A camera at the origin that looks along x, with z upwards.
+first_contact::Transform camera();
+
+/// How a box lies to the six planes of that camera's frustum: left, right, bottom, top, near, far.
+struct Seen {
+  std::array<double, 6> distance;  ///< E.Q
+  std::array<double, 6> radius;    ///< r_eff
+  std::array<double, 6> highest;   ///< E.Q + r_eff: below 0 all of the box is behind the plane
+  bool rejected;
+
+  /// The plane that it is farthest behind.
+  std::size_t worst() const;
+};
+Seen seen(const first_contact::Box& box);
+
+}  // namespace box_chapter
