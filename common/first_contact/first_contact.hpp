@@ -6,6 +6,7 @@
 
 // In reading order, which sorting by name would undo.
 // clang-format off
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/space.hpp"
 #include "first_contact/geometry/unit_scale.hpp"

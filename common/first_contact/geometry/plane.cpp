@@ -1,8 +1,8 @@
 #include "first_contact/geometry/plane.hpp"
 
 #include <cmath>
-#include <sstream>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
@@ -15,10 +15,8 @@ Plane::Plane(const Vector& normal, double offset) {
   const Vector n = unit * normal;
   const double length = norm(n), distance = unit * offset / length;
   if (!(length > 0) || !std::isfinite(length) || !(std::abs(distance) <= 2 * largest_length)) {
-    std::ostringstream plane;
-    plane << "plane [" << to_text(normal) << ", " << offset << "]";
     refuse(
-        plane.str(),
+        "plane [" + to_text(normal) + ", " + to_text(offset) + "]",
         "the normal must be finite and not zero, and the offset, divided by its length, finite and at most "
         "2.1e301 (2^1001)");
   }

@@ -1,7 +1,8 @@
 #include "first_contact/geometry/refuse.hpp"
 
-#include <sstream>
 #include <stdexcept>
+
+#include "first_contact/geometry/number_text.hpp"
 
 namespace first_contact {
 
@@ -10,9 +11,7 @@ void refuse(const std::string& what, const std::string& rule) {
 }
 
 void refuse(const std::string& what, double value, const std::string& rule) {
-  std::ostringstream text;
-  text << what << " " << value;
-  refuse(text.str(), rule);
+  refuse(what + " " + to_text(value), rule);
 }
 
 }  // namespace first_contact

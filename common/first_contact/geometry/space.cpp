@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
@@ -48,9 +48,7 @@ void require_length(double value, const std::string& what) {
 }
 
 std::string to_text(const Vector& value) {
-  std::ostringstream text;
-  text << value.x() << ", " << value.y() << ", " << value.z();
-  return text.str();
+  return to_text(value.x()) + ", " + to_text(value.y()) + ", " + to_text(value.z());
 }
 
 }  // namespace first_contact

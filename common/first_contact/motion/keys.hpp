@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
+#include <string>
 #include <vector>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/space.hpp"
 #include "first_contact/motion/timing.hpp"
@@ -20,11 +21,10 @@ template <class Key>
 void require_in_order(const std::vector<Key>& keys) {
   if (keys.empty()) refuse("tween", "must have a key frame");
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    std::ostringstream what;
-    what << "tween's key frame " << i << ", time " << keys[i].time;
-    if (!std::isfinite(keys[i].time)) refuse(what.str(), "must be finite");
-    if (i > 0 && !(keys[i].time > keys[i - 1].time)) refuse(what.str(), "must be later than the one before");
-    require_finite(keys[i].position, what.str() + ", position");
+    const std::string what = "tween's key frame " + std::to_string(i) + ", time " + to_text(keys[i].time);
+    if (!std::isfinite(keys[i].time)) refuse(what, "must be finite");
+    if (i > 0 && !(keys[i].time > keys[i - 1].time)) refuse(what, "must be later than the one before");
+    require_finite(keys[i].position, what + ", position");
   }
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/response/slide.hpp"
@@ -19,9 +19,9 @@ CurveSweep::CurveSweep(double radius, SphereSweep first_contact_of, double gap, 
       rounding_(slide_gap * std::max(largest_coordinate, radius)) {
   require_length(radius, "radius");
   require_length(gap, "gap");
-  std::ostringstream rule;
-  rule << "must be at least 2^-32 of the scene's size, " << std::max(largest_coordinate, radius);
-  if (!(gap > 0) || gap < least_gap * std::max(largest_coordinate, radius)) refuse("gap", gap, rule.str());
+  const double size = std::max(largest_coordinate, radius);
+  if (!(gap > 0) || gap < least_gap * size)
+    refuse("gap", gap, "must be at least 2^-32 of the scene's size, " + to_text(size));
 }
 
 // Is anything within the gap of it? A sphere that overlaps something meets it at once if it moves against it, and

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
 
@@ -87,9 +87,8 @@ StageObject::StageObject(std::span<const Point2> outline, const Eigen::Affine2d&
     outline_.push_back(stand(corner));
     box_.include(outline_.back());
     if (outline_.back().allFinite()) continue;
-    std::ostringstream what;
-    what << "outline's corner " << corner.x() << ", " << corner.y();
-    refuse(what.str(), "must be finite on the stage");
+    refuse("outline's corner " + to_text(corner.x()) + ", " + to_text(corner.y()),
+           "must be finite on the stage");
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
-#include <sstream>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
@@ -11,9 +11,7 @@ struct Interval {
   /// \throws std::invalid_argument if an end is not finite, or the first comes after the last.
   Interval(double t_m, double t_n) : first(t_m), last(t_n) {
     if (std::isfinite(first) && std::isfinite(last) && first <= last) return;
-    std::ostringstream ends;
-    ends << "interval " << first << ", " << last;
-    refuse(ends.str(), "both ends must be finite, and in order");
+    refuse("interval " + to_text(first) + ", " + to_text(last), "both ends must be finite, and in order");
   }
 
   ///@{
