@@ -13,7 +13,7 @@ export const executable = () => process.env.CHROMIUM ??
 /// The browser; nothing, and a complaint, where there is none.
 export function openBrowser() {
   const executablePath = executable();
-  if (executablePath) return chromium.launch({executablePath, args: ['--no-sandbox', '--disable-gpu']});
+  if (executablePath) return chromium.launch({executablePath, args: ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader']});
   complain('browser', 'there is no Chromium: install the package chromium, or name one in $CHROMIUM');
   return undefined;
 }

@@ -6,7 +6,7 @@ import {mkdirSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
-import {binaries, build, complain, html, read, shownByBuild} from '../tools/book.mjs';
+import {binaries, build, complain, html, read, root, shownByBuild} from '../tools/book.mjs';
 import {openBrowser, openTab} from './browsing.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -30,7 +30,7 @@ const flattened = (value, name = '') => value === null || typeof value !== 'obje
 function printedBy(line, names) {
   const [, , program, ...options] = line.split(' '), folder = join(build, 'touch'), values = join(folder, 'values.json');
   const all = [...options, '--json', '--no-figures'];
-  const run = (...more) => execFileSync(join(binaries, program), [...all, ...more], {encoding: 'utf8'});
+  const run = (...more) => execFileSync(join(binaries, program), [...all, ...more], {cwd: root, encoding: 'utf8'});
   const results = new Map(flattened(JSON.parse(run())));
   if (names.every((name) => results.has(name))) return results;
   mkdirSync(folder, {recursive: true});

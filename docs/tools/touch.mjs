@@ -42,11 +42,24 @@ export function colourVariables(forLetters) {
 /// What the head of a page has that a figure to touch is on.
 export const touchLinks = '<link href="touch.css" rel="stylesheet"><script src="touch.js" defer></script>\n';
 
+// The numbers of a mesh file in the format OFF, as a script: the same digits, and so the same doubles.
+function meshScript(name) {
+  const lines = read(root, 'chapters/meshes', `${name}.off`).split('\n').filter((line) => line && !line.startsWith('#'));
+  const vertices = lines.slice(2, 2 + parseInt(lines[1])), faces = lines.slice(2 + vertices.length);
+  const numbers = (list) => list.join(' ').replaceAll(' ', ',');
+  const corners = faces.map((line) => line.slice(line.indexOf(' ') + 1));
+  return `(globalThis.firstContactMeshes ??= {}).${name} = {vertices: [${numbers(vertices)}], faces: [${numbers(corners)}]};\n`;
+}
+
+const bundle = (from, to, options) => buildSync({entryPoints: [join(source, from)], outfile: join(html, to), bundle: true, format: 'iife',
+                                                 charset: 'utf8', logLevel: 'silent', ...options});
+
 /// Puts into the site what its figures to touch need.
 export function buildTouch() {
   if (!canTouch || !buildModule()) return;
   const packed = gzipSync(readFileSync(join(place, 'book.wasm')), {level: 9}).toString('base64');
   writeFileSync(join(html, 'touch-module.js'), `globalThis.firstContactModule = "${packed}";\n`);
-  buildSync({entryPoints: [join(source, 'main.js')], bundle: true, minify: false, format: 'iife', charset: 'utf8',
-             outfile: join(html, 'touch.js'), logLevel: 'silent'});
+  writeFileSync(join(html, 'touch-bunny.js'), meshScript('bunny'));
+  bundle('main.js', 'touch.js');
+  bundle('space/space.js', 'touch-space.js', {globalName: 'firstContactSpace', minify: true, legalComments: 'inline'});
 }

@@ -2,6 +2,7 @@
 import {make} from './core/controls.js';
 import {Figure} from './core/figure.js';
 import {book} from './core/module.js';
+import {sayInstead, spaceOf} from './core/space.js';
 import * as figures from './figures/all.js';
 import './touch.css';
 import {words} from './words/en.js';
@@ -11,7 +12,9 @@ const announce = (text) => { announcer.textContent = text; };
 
 async function begin(figure) {
   performance.mark('touch-begin');
-  figure.begin(await book());
+  const space = figure.own.space && await spaceOf(figure);
+  if (space === null) return sayInstead(figure);
+  figure.begin(await book(), space);
   performance.measure('touch-first-answer', 'touch-begin');
 }
 

@@ -13,6 +13,8 @@ void page_numbers(const char* name, std::size_t length, const double* values, st
 OF_THE_PAGE("number") void page_number(const char* name, std::size_t length, double value);
 OF_THE_PAGE("word") void page_word(const char* name, std::size_t length, const char* word);
 OF_THE_PAGE("whether") void page_whether(const char* name, std::size_t length, bool is_so);
+OF_THE_PAGE("count") std::size_t page_count(const char* name, std::size_t length);
+OF_THE_PAGE("copy") void page_copy(const char* name, std::size_t length, double* to);
 OF_THE_PAGE("refused") void page_refused(const char* why);
 
 // WebAssembly of Debian's clang knows no exceptions: what would be thrown is told to the page, and the call
@@ -37,5 +39,11 @@ void tell(std::string_view name, const first_contact::Vector& value) {
 }
 void tell(std::string_view name, const char* word) { page_word(name.data(), name.size(), word); }
 void tell_whether(std::string_view name, bool is_so) { page_whether(name.data(), name.size(), is_so); }
+
+std::vector<double> given(std::string_view name) {
+  std::vector<double> numbers(page_count(name.data(), name.size()));
+  page_copy(name.data(), name.size(), numbers.data());
+  return numbers;
+}
 
 }  // namespace touch

@@ -3,6 +3,7 @@
 // is answered are numbers by name, the names that the chapter's program gives them in --json.
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "first_contact/geometry/space.hpp"
 
@@ -18,5 +19,8 @@ void tell(std::string_view name, const first_contact::Vector& value);
 void tell(std::string_view name, std::span<const double> values);
 void tell(std::string_view name, const char* word);
 void tell_whether(std::string_view name, bool is_so);
+
+/// Numbers that the page has by that name: a mesh is not a part of the module.
+std::vector<double> given(std::string_view name);
 
 }  // namespace touch

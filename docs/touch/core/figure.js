@@ -2,6 +2,7 @@
 import {Slider, button, make, showAnswers} from './controls.js';
 import {Handle} from './handles.js';
 import {clamped, fragmentOf, shown, startOf, stateFrom} from './state.js';
+import {canvasBelow, turnByHand} from './space.js';
 import {Pen, mark} from './svg.js';
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
@@ -61,7 +62,7 @@ export class Figure {
     this.line = make('code');
     const elements = (controls) => controls.map(({element}) => element);
     this.element.replaceChildren(
-      make('div', {className: 'picture'}, this.picture), this.answers,
+      make('div', {className: 'picture'}, ...(own.space ? [this.canvas = canvasBelow()] : []), this.picture), this.answers,
       make('div', {className: 'sliders'}, ...elements(this.sliders)),
       make('div', {className: 'buttons'}, ...this.buttons(), this.link), this.told,
       make('details', {}, make('summary', {textContent: words.run}), make('pre', {className: 'shell', tabIndex: 0}, this.line)),
@@ -96,8 +97,9 @@ export class Figure {
   }
 
   /// Begins to answer, once the book's C++ is there.
-  begin(ask) {
-    this.ask = ask;
+  begin(ask, space) {
+    Object.assign(this, {ask, space});
+    if (space) turnByHand(this);
     this.follow();
     new ResizeObserver(() => this.show()).observe(this.picture);
     this.show();
@@ -180,12 +182,13 @@ export class Figure {
     this.told.innerHTML = this.answer.refused ?? own.told(state, this.answer, this.words);
     if (this.answer.refused) return;
     this.drawing.replaceChildren(...own.draw(pens, state, this.answer, this.words).map((marks, i) => pens[i].frame(marks)));
-    showAnswers(this.answers, own.answers(state, this.answer, this.words));
+    this.space?.show(pens[0], this.answer.drawn.view, (space) => own.inSpace(state, this.answer, space));
+    showAnswers(this.answers, own.answers(state, this.answer, this.words, own.measure?.(this.ask, state, this.answer)));
   }
 
   /// The line that runs the same scene; where a value begins with a minus, it is joined by =.
   command() {
-    const options = Object.entries(this.own.options(this.state)).map(([name, value]) => {
+    const options = Object.entries(this.own.options(this.state, this.answer)).map(([name, value]) => {
       const text = String(value);
       return `${name}${text.startsWith('-') ? '=' : ' '}${text}`;
     });

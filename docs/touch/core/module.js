@@ -21,6 +21,9 @@ function put(name, length, value) {
   place[last] = value;
 }
 
+// "bunny/faces", of what a script of the page has brought.
+const given = (name, length) => wordAt(name, length).split('/').reduce((place, part) => place[part], globalThis.firstContactMeshes);
+
 // What api/page.cpp calls; the rest is what the C library asks an operating system for, and there is none.
 const page = {
   number: put,
@@ -28,6 +31,9 @@ const page = {
     put(name, length, [...new Float64Array(memory.instance.exports.memory.buffer, first, count)]),
   whether: (name, length, isSo) => put(name, length, Boolean(isSo)),
   word: (name, length, word) => put(name, length, wordAt(word)),
+  count: (name, length) => given(name, length).length,
+  copy: (name, length, to) =>
+    new Float64Array(memory.instance.exports.memory.buffer, to, given(name, length).length).set(given(name, length)),
   refused: (why) => { throw new Error(wordAt(why)); },
 };
 const noSystem = new Proxy({}, {get: () => () => 52});
@@ -37,7 +43,8 @@ function begin(module) {
   memory.instance.exports._initialize();
 }
 
-const script = (file) => new Promise((resolve, reject) => {
+/// Loads a script of the book.
+export const script = (file) => new Promise((resolve, reject) => {
   const element = document.createElement('script');
   Object.assign(element, {src: file, onload: resolve, onerror: () => reject(new Error(`${file} is not there`))});
   document.head.append(element);

@@ -1,6 +1,7 @@
 // Every figure to touch, by the name that an essay calls it by.
 export {angleDemo as 'angle-demo'} from './angle_demo.js';
 export {box} from './box.js';
+export {bunny} from './bunny.js';
 export {frustum} from './frustum.js';
 export {generalSphere as 'general-sphere'} from './general_sphere.js';
 export {hitTest as 'hit-test'} from './hit_test.js';

@@ -132,6 +132,25 @@ export const words = {
     noCylinder: 'It meets none of the cylinders as printed.',
   },
 
+  bunny: {
+    title: 'A rabbit, and a ball that is thrown at it',
+    caption: `<b>To touch.</b> Drag the picture to turn the rabbit, and press where the ball is to go: a ray through the pointer, a ball
+      of radius 0, finds the triangle that is seen there. The ball is thrown from the hand to that point, and the fast tree
+      (Appendix A) finds what it meets first, which lights up, and the normal there. Microseconds are those of your machine.`,
+    hand: 'the hand, where the ball starts', aim: 'where the ball is thrown', start: 'hand',
+    turn: {html: 'turn, degrees', spoken: 'turn of the view, in degrees'},
+    tilt: {html: 'seen from above, degrees', spoken: 'height of the view, in degrees'},
+    radius: {html: 'radius <i>r</i>', spoken: 'radius r'},
+    time: {html: 'time <i>t</i>', spoken: 'time t'},
+    feature: 'touched', face: 'a face', edge: 'an edge', vertex: 'a vertex', triangle: 'triangle',
+    opened: 'opened, of the tree', work: (nodes, leaves) => `${nodes} nodes, ${leaves} leaves`,
+    takes: 'the sweep takes', micro: (count) => `${count} µs`,
+    picks: (number) => `The ray picks triangle ${number}.`, picksNone: 'The ray passes the rabbit.',
+    touches: (what, number, t) => `The ball touches ${what}, of triangle ${number}, at <i>t</i> = ${t}.`,
+    free: 'The ball touches nothing on its way.',
+    noSpace: 'A rabbit to be turned stands here where the browser can draw in space (WebGL); the picture above shows it at rest.',
+  },
+
   box: {
     title: 'A box that is turned above a floor',
     caption: `<b>To touch.</b> Turn the box, and drag both ends of its way. Three bars, one for each axis, reach from the floor twice
