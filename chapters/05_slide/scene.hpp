@@ -6,6 +6,7 @@
 /// The scene of the paper's figure 10: a ball on its way from P1 to P2 meets a wall at Q.
 struct Scene {
   std::string mesh;  ///< a file; without one, the wall of the figure, which lies level
+  long terrain = 0;  ///< if not 0, a terrain of so many squares along each side instead
   first_contact::Point from{-2, -0.5, 2};
   first_contact::Point to{2, 0.5, -0.5};
   double radius = 0.5;

@@ -25,6 +25,10 @@ std::string up_to_a_million(double value) {
   return value >= 1 && value <= 1e6 ? "" : "must be from 1 to 1000000";
 }
 
+std::string up_to_a_thousand(double value) {
+  return value >= 0 && value <= 1000 ? "" : "must be from 0 to 1000";
+}
+
 Text text_of(Ending ending) {
   switch (ending) {
     case Ending::arrived:
@@ -232,6 +236,10 @@ int main(int argc, char** argv) {
   program.option("--wall", scene.wall, "x,y,z",
                  {"a second wall, from the ground at x = 1 by this vector; 0: none",
                   "第二面牆，自地面 x = 1 處沿此向量立起；0 表示沒有"});
+  program.option("--terrain", scene.terrain, "n",
+                 {"a bumpy terrain of 2 n n triangles instead, 64 long and wide; 0: none",
+                  "改用起伏的地形，共 2 n n 個三角形，長寬各 64；0 表示沒有"},
+                 up_to_a_thousand);
   program.option("--frames", frames, "n", {"of the walk over each whole surface", "走過每個曲面的影格數"},
                  up_to_a_million);
   return program.run(argc, argv, [&] {

@@ -42,7 +42,7 @@ function printedBy(line, names) {
 function setState(element, parts) {
   const {figure} = element, entries = Object.entries(figure.own.parameters);
   const between = (least, most, part) => least + part * (most - least);
-  if (parts) entries.forEach(([name, {least, most, isPlace}], i) => figure.change(name, isPlace
+  if (parts) entries.forEach(([name, {least, most}], i) => figure.change(name, Array.isArray(least)
     ? least.map((each, k) => between(each, most[k], parts[2 * i + k])) : between(least, most, parts[2 * i])));
   figure.show();
   return {answer: figure.answer, line: figure.line.textContent};

@@ -12,9 +12,9 @@ const announce = (text) => { announcer.textContent = text; };
 
 async function begin(figure) {
   performance.mark('touch-begin');
-  const space = figure.own.space && await spaceOf(figure);
+  const ask = await book(), space = figure.own.space && await spaceOf(figure, ask);
   if (space === null) return sayInstead(figure);
-  figure.begin(await book(), space);
+  figure.begin(ask, space);
   performance.measure('touch-first-answer', 'touch-begin');
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "page.hpp"
 
@@ -30,6 +31,14 @@ Point middle_of(const Mesh& mesh) {
 
 Point in_thousandths(const Point& point) {
   return point.unaryExpr([](double each) { return std::round(1000 * each) / 1000 + 0.0; });  // and no -0
+}
+
+void tell_mesh(const Mesh& mesh) {
+  std::vector<double> vertices, faces;
+  for (const Point& vertex : mesh.vertices()) vertices.insert(vertices.end(), vertex.begin(), vertex.end());
+  for (const Mesh::Face& face : mesh.faces()) faces.insert(faces.end(), face.begin(), face.end());
+  touch::tell("vertices", vertices);
+  touch::tell("faces", faces);
 }
 
 }  // namespace touch

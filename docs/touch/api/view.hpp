@@ -23,5 +23,7 @@ struct View {
 Point middle_of(const Mesh& mesh);
 /// Each coordinate in whole thousandths: so many digits are enough for who reads them.
 Point in_thousandths(const Point& point);
+/// Its vertices and faces, for the drawing.
+void tell_mesh(const Mesh& mesh);
 
 }  // namespace touch

@@ -3,6 +3,7 @@ import {Slider, button, make, showAnswers} from './controls.js';
 import {Handle} from './handles.js';
 import {clamped, fragmentOf, shown, startOf, stateFrom} from './state.js';
 import {canvasBelow, turnByHand} from './space.js';
+import {steering} from './steer.js';
 import {Pen, mark} from './svg.js';
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
@@ -44,11 +45,11 @@ export class Figure {
 
   build() {
     const {own, words} = this;
-    const now = (name) => () => this.shownPlace(name), moved = (name) => (wished) => {
+    const now = (name) => () => this.shownPlace(name), moved = (name) => name === own.steered?.by ? steering(this) : (wished) => {
       if (name === own.play?.of) this.stop();
       this.change(name, this.meant(name, wished));
     };
-    const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false}]) => isPlace === wanted)
+    const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false, isExact}]) => !isExact && isPlace === wanted)
         .map(([name, parameter]) => new Kind(name, parameter, words[name], now(name), moved(name)));
     this.handles = controls(Handle, true);
     this.sliders = controls(Slider, false);
@@ -122,6 +123,7 @@ export class Figure {
 
   // Where a handle is, or what a slider shows: a way begins at another place, and has its handle at its end.
   shownPlace(name) {
+    if (name === this.own.steered?.by) return [0, 0];  // it stands in the middle of its picture
     const base = this.baseOf(name), value = this.state[name];
     return base ? value.map((each, i) => each + base[i]) : value;
   }

@@ -6,10 +6,10 @@ import {script} from './module.js';
 export const canvasBelow = () => make('canvas', {className: 'space', 'aria-hidden': true});
 
 /// What draws it, once all that it needs is loaded; nothing where there is no WebGL.
-export async function spaceOf({canvas, own: {space: {mesh}}}) {
-  await Promise.all([script('touch-space.js'), script(`touch-${mesh}.js`)]);
+export async function spaceOf({canvas, own: {space: {mesh, asks, colour}}}, ask) {
+  await Promise.all([script('touch-space.js'), ...(mesh ? [script(`touch-${mesh}.js`)] : [])]);
   const context = canvas.getContext('webgl2', {antialias: true, alpha: true});
-  return context && new globalThis.firstContactSpace.Space(canvas, context, globalThis.firstContactMeshes[mesh]);
+  return context && new globalThis.firstContactSpace.Space(canvas, context, mesh ? globalThis.firstContactMeshes[mesh] : ask(asks), colour);
 }
 
 /// The words of a figure, where it cannot be drawn.
@@ -41,7 +41,7 @@ export function turnByHand(figure) {
     const {left, top} = picture.getBoundingClientRect();
     const pointed = held && !held.moved;
     held = undefined;
-    if (!pointed) return;
+    if (!pointed || !point) return;
     figure.change(point, figure.pens[0].world([clientX - left, clientY - top]));
     if (figure.player) figure.play(true);
   });

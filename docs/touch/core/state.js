@@ -9,11 +9,15 @@ export const number = (start, {least, most, step, fine = step}) => ({start, leas
 export const place = (start, {least, most, step = 0.1, fine = 0.01, from}) =>
   ({start, least, most, step, fine, from, isPlace: true});
 
+/// Numbers that are the library's, to the last bit: where a step ended is where the next one begins.
+export const exact = (start, {least, most}) => ({start, least, most, isExact: true});
+
 const within = (value, least, most, step) =>
   Number((Math.round(Math.min(most, Math.max(least, value)) / step) * step).toFixed(decimals(step)));
 
 /// The value nearest to the wished one that the parameter may have.
-export function clamped({least, most, fine, isPlace}, wished) {
+export function clamped({least, most, fine, isPlace, isExact}, wished) {
+  if (isExact) return wished.map((each, i) => Math.min(most[i], Math.max(least[i], each)));
   return isPlace ? wished.map((each, i) => within(each, least[i], most[i], fine)) : within(wished, least, most, fine);
 }
 
@@ -42,8 +46,8 @@ export function stateFrom(fragment, id, parameters) {
     const [name, text = ''] = part.split('='), numbers = text.split(',').map(Number);
     const parameter = Object.hasOwn(parameters, name) && parameters[name];
     if (!parameter || !text || !numbers.every(Number.isFinite)) continue;
-    if (numbers.length === (parameter.isPlace ? 2 : 1))
-      state[name] = clamped(parameter, parameter.isPlace ? numbers : numbers[0]);
+    const {start} = parameter, several = Array.isArray(start);
+    if (numbers.length === (several ? start.length : 1)) state[name] = clamped(parameter, several ? numbers : numbers[0]);
   }
   return state;
 }

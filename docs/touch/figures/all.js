@@ -8,4 +8,5 @@ export {hitTest as 'hit-test'} from './hit_test.js';
 export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';
 export {plane} from './plane.js';
 export {slide} from './slide.js';
+export {terrain} from './terrain.js';
 export {tweenBounce as 'tween-bounce'} from './tween_bounce.js';

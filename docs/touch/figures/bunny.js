@@ -12,7 +12,7 @@ export const bunny = {
   program: 'general_sphere',
   asks: 'bunny',
   views: [view],
-  space: {mesh: 'bunny', turn: 'turn', tilt: 'tilt', point: 'aim'},
+  space: {mesh: 'bunny', colour: 'sky', turn: 'turn', tilt: 'tilt', point: 'aim'},
   parameters: {
     hand: place([-6.2, -3.8], anywhere),
     aim: place([1.2, 0.8], anywhere),

@@ -25,10 +25,10 @@ function between(body, from, to, width) {
 
 export class Space {
   /// \param canvas  where to draw, in this context
-  /// \param mesh  {vertices, faces}: the coordinates, three a vertex, and the vertices, three a face
-  constructor(canvas, context, mesh) {
+  /// \param mesh  {vertices, faces}: the coordinates, three a vertex, and the vertices, three a face; and its colour
+  constructor(canvas, context, mesh, colour) {
     this.renderer = new WebGLRenderer({canvas, context, antialias: true, alpha: true});
-    Object.assign(this, {canvas, source: mesh, scene: new Scene(), things: new Group(), materials: new Map()});
+    Object.assign(this, {canvas, source: mesh, colour, scene: new Scene(), things: new Group(), materials: new Map()});
     this.mesh = new Mesh(triangles(mesh.vertices, mesh.faces));
     this.lamp = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(this.mesh, this.things, new HemisphereLight(0xffffff, 0x888888, 1.6), this.lamp, this.lamp.target);
@@ -78,7 +78,7 @@ export class Space {
   show({view: {left, right, bottom, top}, width, height}, {middle, eye, up}, fill) {
     for (const thing of this.things.children) if (thing.geometry.type === 'BufferGeometry') thing.geometry.dispose();
     this.things.clear();
-    this.mesh.material = this.material('sky');
+    this.mesh.material = this.material(this.colour);
     fill(this);
     const camera = new OrthographicCamera(left, right, top, bottom, 0.1, 2 * far), center = new Vector3(...middle);
     camera.position.copy(center).addScaledVector(new Vector3(...eye), far);

@@ -100,6 +100,21 @@ export const words = {
     free: 'The ball meets nothing on its way.',
   },
 
+  terrain: {
+    title: 'A ball that is steered over a terrain',
+    caption: `<b>To touch.</b> Steer the ball by the arrow keys, or hold it and point where it is to go; drag the ground to turn it.
+      Each step is a slide. Red is the wish, with the pull downwards; green the way that was made, both five times as long as
+      they are; the others are the normals of what the ball met.`,
+    wish: 'the ball: the arrows steer it',
+    radius: {html: 'radius <i>r</i>', spoken: 'radius r'}, pull: {html: 'pull downwards', spoken: 'pull downwards in each step'},
+    turn: {html: 'turn, degrees', spoken: 'turn of the view, in degrees'},
+    tilt: {html: 'seen from above, degrees', spoken: 'height of the view, in degrees'},
+    contacts: 'contacts', triangle: 'triangle', end: 'ends at',
+    meets: (count) => `In the last step the ball met the ground ${count === 1 ? 'once' : count === 2 ? 'twice' : `${count} times`}.`,
+    free: 'In the last step the ball met nothing.', stands: (end) => `It is at (${end}).`,
+    noSpace: 'A ball to be steered over a terrain stands here where the browser can draw in space (WebGL).',
+  },
+
   'tween-bounce': {
     title: 'The ball of programs 1 to 3: its height over time',
     caption: `<b>To touch.</b> Throw the ball, play, and freeze it at any time, as the paper does with Ctrl-C. Pink is the path as
