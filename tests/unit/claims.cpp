@@ -4,14 +4,17 @@
 #include "04_general_sphere/plain_sweep.hpp"
 #include "04_general_sphere/seam.hpp"
 #include "06_moving_spheres/nearly_touching.hpp"
+#include "07_tween_bounce/plain_sweep_along.hpp"
 #include "08_angle_demo/plain_impact.hpp"
 #include "catch.hpp"
 #include "first_contact/geometry/transform.hpp"
+#include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/counted.hpp"
 #include "first_contact/program/random.hpp"
 #include "first_contact/sweep/box_plane.hpp"
 #include "first_contact/sweep/contact_times.hpp"
 #include "first_contact/sweep/moved_out.hpp"
+#include "first_contact/sweep/sphere_plane.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
 
 using namespace first_contact;
@@ -127,6 +130,25 @@ TEST_CASE(
     const auto times = contact_times(w, u, 1.0F);
     if (w.squaredNorm() > 1 && times) CHECK(times->begin > 0);
   }
+}
+
+TEST_CASE(
+    "A curve swept by a few chords, as one writes it first, comes nearer to its contact with more of them") {
+  const Bezier down({{0, 0, 3}, {1, 0, 2}, {2, 0, -4}});
+  const Plane floor({0, 0, 1}, 0);
+  const double time = sweep_along(Curve(down), 0.5, floor, 1e-8)->time;
+  const auto error = [&](int chords) {
+    return std::abs(*tween_bounce::plain_sweep_along(Curve(down), 0.5, floor, chords) - time);
+  };
+  CHECK(error(4) > 1e-3);
+  CHECK(error(64) < 1e-4);
+}
+
+TEST_CASE("A curve swept by a few chords, as one writes it first, loses a dip between two of their ends") {
+  const Bezier dip({{0, 0, 2}, {1, 0, -1.2}, {2, 0, 2}});  // as low as 0.4
+  const Plane floor({0, 0, 1}, 0);
+  CHECK_FALSE(tween_bounce::plain_sweep_along(Curve(dip), 0.5, floor, 3));
+  CHECK(sweep_along(Curve(dip), 0.5, floor, 1e-8)->time == Approx(0.5 - std::sqrt(0.1 / 6.4)).margin(1e-6));
 }
 
 TEST_CASE("The impact as one writes it first is the library's along a normal of length 1") {
