@@ -1,5 +1,6 @@
 // Every chapter has its essay, in the one order: the question, a figure, mathematics, code, output, what goes wrong, as
-// printed and corrected, cost, exercises with folded answers, further reading; and links what a student is to write.
+// printed and corrected, cost, exercises with folded answers, further reading; links what a student is to write; and asks a
+// question at the end of each section that teaches.
 import {existsSync} from 'node:fs';
 import {chapters, complain, exercises, fromRoot, read, shownByBuild} from '../tools/book.mjs';
 import {faultsOfMuseum} from '../tools/museum.mjs';
@@ -31,6 +32,19 @@ function checkEssay(chapter) {
   if (!/^\*\*To search for:\*\* /m.test(text)) complain(name, 'does not say what to search for');
 }
 
+const asksNothing = new Set(['What it prints', 'As printed, and as corrected', 'Exercises', 'The whole program', 'Further reading',
+                             'Your own ball']);
+
+// Each section that teaches ends with a question of understanding.
+function checkQuestions(chapter) {
+  const [, ...sections] = read(chapter.source).replace(/<!--[^]*?-->/g, '').split(/^## /m);
+  for (const section of sections) {
+    const name = section.split('\n')[0];
+    if (!asksNothing.has(name) && !/^\*\*Ask yourself\.\*\*(?:(?!<\/details>)[^])*<\/details>\s*$/m.test(section))
+      complain(fromRoot(chapter.source), `the section "${name}" does not end with a question`);
+  }
+}
+
 // Each exercise of the workbook is linked where its idea is fresh, in its own chapter.
 function checkExercises(chapter) {
   const text = read(chapter.source), own = exercises.filter(({name}) => parseInt(name) === chapter.number);
@@ -43,7 +57,7 @@ export function checkEssays() {
   const museum = faultsOfMuseum();
   for (const fault of museum.faults) complain('docs/museum.json', fault);
   for (const chapter of chapters) {
-    if (existsSync(chapter.source)) checkEssay(chapter), checkExercises(chapter);
+    if (existsSync(chapter.source)) checkEssay(chapter), checkExercises(chapter), checkQuestions(chapter);
     else complain(fromRoot(chapter.source), 'is missing');
   }
   const typed = shownByBuild().typed;
