@@ -6,10 +6,11 @@ import {script} from './module.js';
 export const canvasBelow = () => make('canvas', {className: 'space', 'aria-hidden': true});
 
 /// What draws it, once all that it needs is loaded; nothing where there is no WebGL.
-export async function spaceOf({canvas, own: {space: {mesh, asks, colour}}}, ask) {
+export async function spaceOf({canvas, own: {space}}, ask) {
+  const {mesh, asks} = space;
   await Promise.all([script('touch-space.js'), ...(mesh ? [script(`touch-${mesh}.js`)] : [])]);
   const context = canvas.getContext('webgl2', {antialias: true, alpha: true});
-  return context && new globalThis.firstContactSpace.Space(canvas, context, mesh ? globalThis.firstContactMeshes[mesh] : ask(asks), colour);
+  return context && new globalThis.firstContactSpace.Space(canvas, context, mesh ? globalThis.firstContactMeshes[mesh] : ask(asks), space);
 }
 
 /// The words of a figure, where it cannot be drawn.

@@ -3,6 +3,7 @@ export {angleDemo as 'angle-demo'} from './angle_demo.js';
 export {box} from './box.js';
 export {bunny} from './bunny.js';
 export {frustum} from './frustum.js';
+export {fastTree as 'fast-tree'} from './fast_tree.js';
 export {generalSphere as 'general-sphere'} from './general_sphere.js';
 export {hitTest as 'hit-test'} from './hit_test.js';
 export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';

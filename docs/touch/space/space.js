@@ -26,9 +26,9 @@ function between(body, from, to, width) {
 export class Space {
   /// \param canvas  where to draw, in this context
   /// \param mesh  {vertices, faces}: the coordinates, three a vertex, and the vertices, three a face; and its colour
-  constructor(canvas, context, mesh, colour) {
+  constructor(canvas, context, mesh, {colour, opacity = 1}) {
     this.renderer = new WebGLRenderer({canvas, context, antialias: true, alpha: true});
-    Object.assign(this, {canvas, source: mesh, colour, scene: new Scene(), things: new Group(), materials: new Map()});
+    Object.assign(this, {canvas, source: mesh, colour, opacity, scene: new Scene(), things: new Group(), materials: new Map()});
     this.mesh = new Mesh(triangles(mesh.vertices, mesh.faces));
     this.lamp = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(this.mesh, this.things, new HemisphereLight(0xffffff, 0x888888, 1.6), this.lamp, this.lamp.target);
@@ -65,6 +65,13 @@ export class Space {
     between(this.add(head, colour), neck, b, 0.17);
   }
 
+  /// The edges of a box, from its lowest corner to its highest.
+  box(low, high, colour, width = 0.03) {
+    const corner = (i) => new Vector3(...low.map((each, k) => i >> k & 1 ? high[k] : each));
+    for (let i = 0; i < 8; ++i)
+      for (const k of [1, 2, 4]) if (!(i & k)) between(this.add(shaft, colour), corner(i), corner(i | k), width);
+  }
+
   /// Lights up a triangle of the mesh.
   triangle(number, colour) {
     const lit = this.add(triangles(this.source.vertices, this.source.faces.slice(3 * number, 3 * number + 3)), colour);
@@ -78,7 +85,7 @@ export class Space {
   show({view: {left, right, bottom, top}, width, height}, {middle, eye, up}, fill) {
     for (const thing of this.things.children) if (thing.geometry.type === 'BufferGeometry') thing.geometry.dispose();
     this.things.clear();
-    this.mesh.material = this.material(this.colour);
+    this.mesh.material = this.material(this.colour, this.opacity);
     fill(this);
     const camera = new OrthographicCamera(left, right, top, bottom, 0.1, 2 * far), center = new Vector3(...middle);
     camera.position.copy(center).addScaledVector(new Vector3(...eye), far);

@@ -166,6 +166,28 @@ export const words = {
     noSpace: 'A rabbit to be turned stands here where the browser can draw in space (WebGL); the picture above shows it at rest.',
   },
 
+  'fast-tree': {
+    title: 'One cast on its way through the fast tree',
+    caption: `<b>To touch.</b> Move the slider of the steps, and the hand and the aim of the ball. A step looks into a node, whose children
+      have boxes, or into a leaf with triangles. Green is what may be touched, pink what is dropped for good, blue what waits.
+      After the last step the doubles have decided.`,
+    hand: 'the hand, where the ball starts', aim: 'where the ball is thrown', start: 'hand',
+    step: {html: 'step', spoken: 'step of the walk'},
+    turn: {html: 'turn, degrees', spoken: 'turn of the view, in degrees'},
+    tilt: {html: 'seen from above, degrees', spoken: 'height of the view, in degrees'},
+    radius: {html: 'radius <i>r</i>', spoken: 'radius r'},
+    at: 'step', of: (step, steps) => `${step} of ${steps}`, kept: 'may be touched', dropped: 'dropped', waiting: 'wait',
+    triangle: 'triangle touched',
+    begins: (steps) => `The walk begins at the root, and takes ${steps} steps.`,
+    ends: (number, t) => `It is decided: triangle ${number} is touched, at <i>t</i> = ${t}.`,
+    free: 'It is decided: nothing is touched.',
+    nth: (step, steps) => `Step ${step} of ${steps}.`,
+    node: (kept, dropped) => `A node: of its children ${kept} may be touched, ${dropped} are dropped.`,
+    leaf: (kept, dropped) => `A leaf: of its triangles ${kept} may be touched, ${dropped} are dropped.`,
+    waits: (count) => `On the stack ${count} wait.`,
+    noSpace: 'A cast on its way through the tree stands here where the browser can draw in space (WebGL).',
+  },
+
   box: {
     title: 'A box that is turned above a floor',
     caption: `<b>To touch.</b> Turn the box, and drag both ends of its way. Three bars, one for each axis, reach from the floor twice
