@@ -3,10 +3,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "bent.hpp"
 #include "figures/figures.hpp"
 #include "film/read_film.hpp"
 #include "film/run.hpp"
 #include "first_contact/motion/sweep_along.hpp"
+#include "first_contact/program/numbers.hpp"
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
 #include "flight.hpp"
@@ -31,6 +33,8 @@ struct Scene {
   double restitution = 0.5;
   std::string model = "printed";
   std::string csv;
+  std::string curve = "0,0,0.5,4,2,4,8,0";
+  double part = 0.4;  // of it
 
   std::size_t count() const { return static_cast<std::size_t>(samples); }
 };
@@ -157,6 +161,20 @@ void tell_corrected(Program& program, const Scene& scene, const Bounce& bounce) 
 //! [report]
 
 //! [notes]
+// A curve of four control points, looked at by its parameter and by its length.
+void note_curve(Program& program, const Scene& scene) {
+  const auto numbers = program.checked("--curve", [&] { return numbers_of(scene.curve, 8); });
+  std::vector<Point> control;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) control.emplace_back(numbers[i], numbers[i + 1], 0);
+  const auto bent =
+      program.checked("--curve", [&] { return tween_bounce::bent(Bezier(control), scene.part); });
+  program.result("/curve/length", bent.length);
+  program.result("/curve/speed", bent.speed);
+  program.result("/curve/point", bent.point);
+  program.result("/curve/even_parameter", bent.even_parameter);
+  program.result("/curve/even_point", bent.even_point);
+}
+
 // More numbers that the notes speak of: of the printed fall, the film, and the solved one.
 void note(Program& program, const Scene& scene, const PrintedMotion& motion, const Bounce& bounce) {
   program.value("v0", scene.v0);
@@ -229,6 +247,11 @@ void take_options(Program& program, Scene& scene) {
   program.option("--csv", scene.csv, "OUT.csv",
                  {"write the samples there, columns t,y; or a film's pictures",
                   "將取樣寫入該檔，欄位為 t,y；或寫入影片的各格畫面"});
+  program.option(
+      "--curve", scene.curve, "x0,y0,...,x3,y3",
+      {"a Bezier curve's control points, looked at in --json", "貝茲曲線的控制點，結果列於 --json"});
+  program.option("--part", scene.part, "s", {"of that curve, from 0 to 1", "該曲線的哪一部分，從 0 到 1"},
+                 at_most_one);
 }
 //! [options]
 
@@ -263,6 +286,7 @@ int main(int argc, char** argv) {
     tween_bounce::tell_tweens(program);
     give_results(program, flight);
     note(program, scene, motion, bounce);
+    note_curve(program, scene);
     if (!scene.csv.empty()) program.checked("--csv", [&] { write_file(scene.csv, csv(flight)); });
     if (program.draws()) draw_tween_bounce_figures(program, flight, printed, physical);
   });

@@ -80,7 +80,7 @@ const middleOf = async (handle) => {
   return [x + width / 2, y + height / 2];
 };
 
-// Every handle by the pointer and by the arrows; every slider by the arrows, with Shift by less.
+// Every handle by the pointer and by the arrows; every slider by the arrows, with Shift by less; a box is ticked by the space bar.
 async function moveByHand(page, figure, name) {
   const press = (key) => page.keyboard.press(key);
   await figure.locator('.buttons button').last().click();
@@ -99,9 +99,10 @@ async function moveByHand(page, figure, name) {
   }
   for (const slider of await figure.locator('input').all()) {
     const label = `${name}, ${await slider.getAttribute('aria-label')}`;
+    const keys = await slider.getAttribute('type') === 'checkbox' ? ['Space'] : ['ArrowRight', 'ArrowRight', 'Shift+ArrowLeft'];
     await slider.focus();
-    await expectChange(figure, label, 'an arrow', async () => {
-      for (const key of ['ArrowRight', 'ArrowRight', 'Shift+ArrowLeft']) await press(key);
+    await expectChange(figure, label, keys[0], async () => {
+      for (const key of keys) await press(key);
     });
   }
 }

@@ -12,8 +12,8 @@ namespace tween_bounce {
 
 namespace {
 
-const std::vector<std::string> of_the_ball{"--v0",      "--y0",          "--g",    "--dt",
-                                           "--samples", "--restitution", "--model"};
+const std::vector<std::string> of_the_ball{"--v0",          "--y0",    "--g",     "--dt",  "--samples",
+                                           "--restitution", "--model", "--curve", "--part"};
 
 // What would go unread is refused.
 void require_film_alone(Program& program, bool film) {

@@ -37,6 +37,20 @@ export class Slider {
   }
 }
 
+/// A box to be ticked, for what is on or off.
+export class Toggle {
+  constructor(name, parameter, label, now, moved) {
+    this.name = name;
+    this.input = make('input', {type: 'checkbox', 'aria-label': label.spoken});
+    this.element = make('label', {className: 'toggle'}, this.input, make('span', {innerHTML: label.html}));
+    this.input.addEventListener('change', () => moved(Number(this.input.checked)));
+  }
+
+  show(value) {
+    this.input.checked = value === 1;
+  }
+}
+
 function answer([text, kind = '', part]) {
   const element = make('dd', {textContent: text, className: kind});
   if (part !== undefined) element.append(make('span', {className: 'bar', style: `--part: ${part}`}));

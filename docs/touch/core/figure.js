@@ -1,5 +1,5 @@
 // A figure to touch: its state, what the book's C++ answers, and one function, `show`, that draws all of it anew.
-import {Slider, button, make, showAnswers} from './controls.js';
+import {Slider, Toggle, button, make, showAnswers} from './controls.js';
 import {Handle} from './handles.js';
 import {clamped, fragmentOf, shown, startOf, stateFrom} from './state.js';
 import {canvasBelow, turnByHand} from './space.js';
@@ -50,7 +50,7 @@ export class Figure {
       this.change(name, this.meant(name, wished));
     };
     const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false, isExact}]) => !isExact && isPlace === wanted)
-        .map(([name, parameter]) => new Kind(name, parameter, words[name], now(name), moved(name)));
+        .map(([name, parameter]) => new (parameter.isToggle ? Toggle : Kind)(name, parameter, words[name], now(name), moved(name)));
     this.handles = controls(Handle, true);
     this.sliders = controls(Slider, false);
     this.drawing = mark('g', {'aria-hidden': true});

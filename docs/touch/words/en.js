@@ -115,6 +115,18 @@ export const words = {
     noSpace: 'A ball to be steered over a terrain stands here where the browser can draw in space (WebGL).',
   },
 
+  'de-casteljau': {
+    title: 'A curve of four control points, made by cutting corners',
+    caption: `<b>To touch.</b> Drag the four control points, and go along the curve. Each line is gone along by the same part, and its
+      point is an end of the next line. With constant speed the part is one of the curve's length: dots that crowd are then evenly spaced.`,
+    a: 'the first control point', b: 'the second control point', c: 'the third control point', d: 'the last control point',
+    part: {html: 'part <i>s</i>', spoken: 'part of the curve, s'},
+    even: {html: 'constant speed', spoken: 'constant speed'},
+    length: 'length', speed: 'speed at <i>s</i>', parameter: 'parameter at <i>s</i> of the length',
+    at: (x, y, s, length) => `The curve is ${length} long. At ${s} of its parameter it is in (${x}, ${y}).`,
+    evenly: (x, y, s, length, parameter) => `The curve is ${length} long. At ${s} of its length its parameter is ${parameter}, and it is in (${x}, ${y}).`,
+  },
+
   'tween-bounce': {
     title: 'The ball of programs 1 to 3: its height over time',
     caption: `<b>To touch.</b> Throw the ball, play, and freeze it at any time, as the paper does with Ctrl-C. Pink is the path as
