@@ -12,6 +12,7 @@
 #include "first_contact/trees/bsp_tree.hpp"
 #include "grown_planes.hpp"
 #include "measure.hpp"
+#include "plain_tree.hpp"
 #include "room.hpp"
 #include "stage.hpp"
 
@@ -25,7 +26,7 @@ constexpr std::size_t flight_count = 100;
 //! [costs]
 struct Costs {
   Cost octree, bsp, bvh, brute_force;
-  std::size_t objects;
+  std::size_t objects, plain_tests;
 
   Costs(const std::vector<Triangle>& triangles, std::uint64_t seed) : objects(triangles.size()) {
     const Soup<Octree> in_octree(triangles);
@@ -34,6 +35,7 @@ struct Costs {
     bsp = measure(Soup<BspTree>(triangles), balls);
     bvh = measure(Soup<BoxTree>(triangles), balls);
     brute_force = measure(Soup<BruteForce>(triangles), balls);
+    plain_tests = partitioning_chapter::plain_tests(triangles, balls);
   }
   bool agree() const {
     return same_contacts(octree, brute_force) && same_contacts(bsp, brute_force) &&
@@ -200,6 +202,7 @@ void tell_hit_tests(Program& program, const Stage& stage) {
 // More numbers that the notes speak of: what a flight costs, ...
 void note_costs(Program& program, const Costs& costs, const std::vector<Triangle>& triangles) {
   program.value("all_tests", static_cast<double>(costs.brute_force.tests));
+  program.value("plain_tests", costs.bvh.per_flight(costs.plain_tests));
   const double pieces = static_cast<double>(BspTree(triangles).order().size());
   program.value("pieces", pieces / std::max<double>(1, static_cast<double>(costs.objects)));
   program.value("octree_node", sizeof(Octree::Node));

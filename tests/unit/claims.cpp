@@ -1,5 +1,9 @@
 // What the essays claim of rounding and of costs, and show by a measurement of their own.
+#include <algorithm>
+#include <numeric>
+
 #include "02_box/plain_vertices.hpp"
+#include "03_partitioning/plain_tree.hpp"
 #include "04_general_sphere/plain_face.hpp"
 #include "04_general_sphere/plain_sweep.hpp"
 #include "04_general_sphere/seam.hpp"
@@ -149,6 +153,36 @@ TEST_CASE("A curve swept by a few chords, as one writes it first, loses a dip be
   const Plane floor({0, 0, 1}, 0);
   CHECK_FALSE(tween_bounce::plain_sweep_along(Curve(dip), 0.5, floor, 3));
   CHECK(sweep_along(Curve(dip), 0.5, floor, 1e-8)->time == Approx(0.5 - std::sqrt(0.1 / 6.4)).margin(1e-6));
+}
+
+TEST_CASE("The tree as one writes it first finds all that a ball touches, and not much that it does not") {
+  std::mt19937 random(11);
+  using program::unit_vector;
+  std::vector<Triangle> triangles;
+  std::vector<Bounds> bounds;
+  for (int i = 0; i < 500; ++i) {
+    const Point at = 5 * unit_vector(random);
+    triangles.push_back({at, at + 0.3 * unit_vector(random), at + 0.3 * unit_vector(random)});
+    bounds.push_back(bounds_of(triangles.back()));
+  }
+  std::vector<std::size_t> things(triangles.size());
+  std::iota(things.begin(), things.end(), std::size_t{0});
+  const auto tree = partitioning_chapter::plain_tree(bounds, things);
+  std::size_t tests = 0;
+  int touched = 0;
+  for (int i = 0; i < 500; ++i) {
+    CAPTURE(i);
+    const Moving<Sphere> ball{{6 * unit_vector(random), 0.2}, 6 * unit_vector(random)};
+    const auto found = partitioning_chapter::plain_search(tree, ball);
+    tests += found.size();
+    for (const std::size_t k : things) {
+      if (!sweep(ball, triangles[k])) continue;
+      ++touched;
+      REQUIRE(std::count(found.begin(), found.end(), k) == 1);
+    }
+  }
+  CHECK(touched > 100);
+  CHECK(tests < 500 * triangles.size() / 5);
 }
 
 TEST_CASE("The impact as one writes it first is the library's along a normal of length 1") {
