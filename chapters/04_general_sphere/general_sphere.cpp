@@ -15,6 +15,7 @@
 #include "first_contact/program/program.hpp"
 #include "first_contact/sweep/ray_triangle.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
+#include "from_afar.hpp"
 #include "jaw.hpp"
 #include "scenes.hpp"
 #include "seam.hpp"
@@ -32,8 +33,13 @@ struct Scene {
   Point to{0.4, 0.1, 0.5};
   double radius = 0.35;
   std::string casts = "none", results = "none";
+  double afar = 1000, beside = 0.6;
 };
 //! [scene]
+
+std::string from_one_to_1e9(double value) {
+  return value >= 1 && value <= 1e9 ? "" : "must be from 1 to 1e9";
+}
 
 //! [report]
 // Each number is given once: to the reader, and by the rest of its line to --json and to the notes.
@@ -148,6 +154,19 @@ void note_features(Program& program, const Environment& environment) {
   program.value("features", environment.mesh().size() + edges + vertices);
 }
 
+// What is subtracted under the root, and both times, as floats and as doubles have them.
+void note_from_afar(Program& program, const Scene& scene) {
+  const FromAfar shot = from_afar(scene.afar, scene.beside);
+  for (const auto& [name, entered] :
+       {std::pair("float", shot.in_float), std::pair("double", shot.in_double)}) {
+    const std::string place = "/afar/" + std::string(name);
+    program.result(place + "/minus_b", entered.minus_b);
+    if (!std::isnan(entered.root)) program.result(place + "/root", entered.root);
+    program.result(place + "/textbook", entered.textbook);
+    program.result(place + "/stable", entered.stable);
+  }
+}
+
 // ... and the cylinder as printed.
 void note_faults(Program& program, const Environment& environment, const Moving<Sphere>& moving) {
   const double radius = moving.shape.radius;
@@ -211,6 +230,11 @@ int main(int argc, char** argv) {
   program.option("--results", scene.results, "OUT.csv",
                  {"their results: hit,time,px,py,pz,nx,ny,nz,feature,triangle",
                   "其結果：hit,time,px,py,pz,nx,ny,nz,feature,triangle"});
+  program.option(
+      "--afar", scene.afar, "d",
+      {"radii from which a ball comes at a vertex, in --json", "球從多少個半徑外飛向頂點，列於 --json"},
+      from_one_to_1e9);
+  program.option("--beside", scene.beside, "d", {"how far beside it", "偏離頂點多遠"}, not_negative);
   return program.run(argc, argv, [&] {
     const auto moving = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
@@ -222,6 +246,7 @@ int main(int argc, char** argv) {
     tell_corrections(program.report(), moving, environment, contact);
     tell_order(program);
     tell_ray(program.report());
+    note_from_afar(program, scene);
     if (!program.results_alone()) jaw::tell(program);
     if (program.given("--mesh")) tell_defects(program.report(), environment.mesh());
     if (const auto printed = printed_time(moving, environment)) program.result("/printed_time", *printed);

@@ -3,6 +3,7 @@ export {angleDemo as 'angle-demo'} from './angle_demo.js';
 export {box} from './box.js';
 export {bunny} from './bunny.js';
 export {deCasteljau as 'de-casteljau'} from './de_casteljau.js';
+export {fromAfar as 'from-afar'} from './from_afar.js';
 export {frustum} from './frustum.js';
 export {fastTree as 'fast-tree'} from './fast_tree.js';
 export {generalSphere as 'general-sphere'} from './general_sphere.js';

@@ -115,6 +115,20 @@ export const words = {
     noSpace: 'A ball to be steered over a terrain stands here where the browser can draw in space (WebGL).',
   },
 
+  'from-afar': {
+    title: 'A ball that comes from afar at a vertex, in floats and in doubles',
+    caption: `<b>To touch.</b> Send the ball from ever farther away, in powers of ten, and aim it beside the vertex. Green is where it touches;
+      pink where the root as multiplied out puts it in floats, in which most games compute: &minus;<i>b</i> and √Δ are then two giants that
+      differ in their rounding alone.`,
+    power: {html: 'from 10<sup><i>x</i></sup> radii', spoken: 'power of ten of the distance, in radii'},
+    beside: {html: 'aimed beside', spoken: 'how far beside the vertex it is aimed, in radii'},
+    minusB: '&minus;<i>b</i>, float', root: '√Δ, float', floatPrinted: '<i>t</i>, float', floatStable: '<i>t</i>, closest approach, float',
+    doublePrinted: '<i>t</i>, double', doubleStable: '<i>t</i>, closest approach, double', none: 'no hit',
+    apart: (off) => `In floats the multiplied-out root puts the ball ${off} radii from where it touches.`,
+    lost: 'In floats the multiplied-out root finds no hit: under it is less than nothing.',
+    misses: 'The ball passes the vertex by.',
+  },
+
   'de-casteljau': {
     title: 'A curve of four control points, made by cutting corners',
     caption: `<b>To touch.</b> Drag the four control points, and go along the curve. Each line is gone along by the same part, and its

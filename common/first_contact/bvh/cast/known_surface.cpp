@@ -82,11 +82,12 @@ FacesAround KnownSurface::around(const Touch& touch, std::uint32_t from, std::ui
 //! [lead]
 
 std::vector<FaceAt> KnownSurface::faces_at(std::uint32_t from, std::uint32_t to) const {
+  std::vector<LeafFace> found;
+  each_face_at(from, to, [&](const LeafFace& face) { found.push_back(face); });
+  std::sort(found.begin(), found.end(),
+            [](const LeafFace& f, const LeafFace& g) { return f.number < g.number; });
   std::vector<FaceAt> faces;
-  each_face_at(from, to, [&](const LeafFace& face) {
-    faces.push_back({face.number, face.corner, facet(face)});
-  });
-  std::sort(faces.begin(), faces.end(), [](const FaceAt& f, const FaceAt& g) { return f.number < g.number; });
+  for (const LeafFace& face : found) faces.push_back({face.number, face.corner, facet(face)});
   return faces;
 }
 
