@@ -4,7 +4,7 @@ import {number, place, shown} from '../core/state.js';
 
 const view = {left: -8.5, right: 7.5, bottom: -5.6, top: 6.4};
 const anywhere = {least: [-8.3, -5.4], most: [7.3, 6.2], step: 0.2, fine: 0.02};
-const again = 500;  // sweeps, to be long enough for the page's clock
+const again = 100;  // sweeps, to be long enough for the page's clock
 
 const points = (list) => list.map(shown).join(', ');
 

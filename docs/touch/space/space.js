@@ -28,21 +28,21 @@ export class Space {
   /// \param mesh  {vertices, faces}: the coordinates, three a vertex, and the vertices, three a face; and its colour
   constructor(canvas, context, mesh, {colour, opacity = 1}) {
     this.renderer = new WebGLRenderer({canvas, context, antialias: true, alpha: true});
-    Object.assign(this, {canvas, source: mesh, colour, opacity, scene: new Scene(), things: new Group(), materials: new Map()});
+    Object.assign(this, {canvas, source: mesh, colour, opacity, scene: new Scene(), things: new Group(), materials: new Map(), seen: new Map()});
     this.mesh = new Mesh(triangles(mesh.vertices, mesh.faces));
     this.lamp = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(this.mesh, this.things, new HemisphereLight(0xffffff, 0x888888, 1.6), this.lamp, this.lamp.target);
   }
 
-  // A colour of the book in the theme that is seen.
+  // A colour of the book in the theme that is seen; it is asked for once a picture.
   material(name, opacity = 1) {
-    const colour = getComputedStyle(this.canvas).getPropertyValue(`--${name}`), key = `${colour} ${opacity}`;
-    this.canvas.style.color = `var(--${name})`;
-    const seen = getComputedStyle(this.canvas).color, known = this.materials.get(`${seen} ${key}`);
-    if (known) return known;
-    const material = new MeshLambertMaterial({color: seen, side: DoubleSide, transparent: opacity < 1, opacity});
-    this.materials.set(`${seen} ${key}`, material);
-    return material;
+    if (!this.seen.has(name)) {
+      this.canvas.style.color = `var(--${name})`;
+      this.seen.set(name, getComputedStyle(this.canvas).color);
+    }
+    const color = this.seen.get(name), key = `${color} ${opacity}`;
+    if (!this.materials.has(key)) this.materials.set(key, new MeshLambertMaterial({color, side: DoubleSide, transparent: opacity < 1, opacity}));
+    return this.materials.get(key);
   }
 
   add(geometry, name, opacity) {
@@ -79,12 +79,22 @@ export class Space {
     lit.material.polygonOffsetUnits = lit.material.polygonOffsetFactor = -2;
   }
 
+  // A picture of another size is made anew, which takes a while.
+  fit(width, height) {
+    const size = [width, height, devicePixelRatio].join();
+    if (size === this.size) return;
+    this.size = size;
+    this.renderer.setPixelRatio(devicePixelRatio);
+    this.renderer.setSize(width, height);
+  }
+
   /// Draws the mesh, and what `fill` adds to it.
   /// \param pen  how large the picture is, and what of the view it shows
   /// \param view  {middle, eye, right, up}
   show({view: {left, right, bottom, top}, width, height}, {middle, eye, up}, fill) {
     for (const thing of this.things.children) if (thing.geometry.type === 'BufferGeometry') thing.geometry.dispose();
     this.things.clear();
+    this.seen.clear();
     this.mesh.material = this.material(this.colour, this.opacity);
     fill(this);
     const camera = new OrthographicCamera(left, right, top, bottom, 0.1, 2 * far), center = new Vector3(...middle);
@@ -93,8 +103,7 @@ export class Space {
     camera.lookAt(center);
     this.lamp.target.position.copy(center);
     this.lamp.position.copy(camera.position).addScaledVector(camera.up, far / 2);
-    this.renderer.setPixelRatio(devicePixelRatio);
-    this.renderer.setSize(width, height);
+    this.fit(width, height);
     this.renderer.render(this.scene, camera);
   }
 }
