@@ -10,10 +10,12 @@ const names = ['chromium', 'chromium-browser', 'google-chrome', 'Google Chrome',
 export const executable = () => process.env.CHROMIUM ??
   names.flatMap((name) => folders.map((folder) => join(folder, name))).find(existsSync);
 
+const flags = ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader'];
+
 /// The browser; nothing, and a complaint, where there is none.
 export function openBrowser() {
   const executablePath = executable();
-  if (executablePath) return chromium.launch({executablePath, args: ['--no-sandbox', '--disable-gpu', '--enable-unsafe-swiftshader']});
+  if (executablePath) return chromium.launch({executablePath, args: flags});
   complain('browser', 'there is no Chromium: install the package chromium, or name one in $CHROMIUM');
   return undefined;
 }

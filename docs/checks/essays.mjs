@@ -32,8 +32,8 @@ function checkEssay(chapter) {
   if (!/^\*\*To search for:\*\* /m.test(text)) complain(name, 'does not say what to search for');
 }
 
-const asksNothing = new Set(['What it prints', 'As printed, and as corrected', 'Exercises', 'The whole program', 'Further reading',
-                             'Your own ball']);
+const asksNothing = new Set(['What it prints', 'As printed, and as corrected', 'Exercises', 'The whole program',
+                             'Further reading', 'Your own ball']);
 
 // Each section that teaches ends with a question of understanding.
 function checkQuestions(chapter) {

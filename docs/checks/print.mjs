@@ -89,7 +89,8 @@ function checkOpenings(places) {
 const plain = (markup) => markup.replace(/<[^>]*>/g, '').replaceAll('&amp;', '&').trim();
 
 async function checkDocument(tree) {
-  const document = await PDFDocument.load(readFileSync(pdf), {updateMetadata: false}), titles = [...bookmarksOf(document)].map(titleOf);
+  const document = await PDFDocument.load(readFileSync(pdf), {updateMetadata: false});
+  const titles = [...bookmarksOf(document)].map(titleOf);
   const have = new Set(titles.map(letters));
   for (const heading of tree('article h1.title, article h2').toArray().map((element) => plain(tree(element).text())))
     if (!have.has(letters(heading))) complain(where, `the bookmarks lack "${heading}"`);

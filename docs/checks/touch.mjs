@@ -80,7 +80,8 @@ const middleOf = async (handle) => {
   return [x + width / 2, y + height / 2];
 };
 
-// Every handle by the pointer and by the arrows; every slider by the arrows, with Shift by less; a box is ticked by the space bar.
+// Every handle by the pointer and by the arrows; every slider by the arrows, with Shift by less; a box is ticked by the
+// space bar.
 async function moveByHand(page, figure, name) {
   const press = (key) => page.keyboard.press(key);
   await figure.locator('.buttons button').last().click();
@@ -139,6 +140,9 @@ const begun = (element) => new Promise((resolve) => {
 });
 
 async function seeByAxe(page, name) {
+  const laidOut = () => [...document.querySelectorAll('.drawn')].every(
+    ({scrollWidth, clientWidth, tabIndex}) => scrollWidth <= clientWidth || tabIndex === 0);
+  await page.waitForFunction(laidOut, null, {timeout: 5000}).catch(() => {});  // after print it takes a moment
   await page.addScriptTag({path: axe});
   const faults = await page.evaluate(async () => {
     const {violations} = await globalThis.axe.run(document, {resultTypes: ['violations'], preload: false});
@@ -157,8 +161,12 @@ async function checkWidth(page, name) {
 
 // What is said aloud after a change is what stands below the picture.
 async function checkAloud(page, figure, name) {
-  await page.waitForTimeout(700);
-  const aloud = await page.locator('.aloud').textContent(), told = await figure.locator('.told').textContent();
+  const look = async () => [await page.locator('.aloud').textContent(), await figure.locator('.told').textContent()];
+  let [aloud, told] = await look();
+  for (let waited = 0; waited < 20 && aloud !== told; ++waited) {
+    await page.waitForTimeout(250);
+    [aloud, told] = await look();
+  }
   if (aloud !== told) complain(name, `says "${aloud}", and shows "${told}"`);
 }
 

@@ -48,7 +48,8 @@
 
   // A drawing that is wider than the page is scrolled, also by the keyboard.
   const reachable = new ResizeObserver((drawings) => {
-    for (const {target} of drawings) target.scrollWidth > target.clientWidth + 1 ? target.tabIndex = 0 : target.removeAttribute('tabindex');
+    for (const {target: {parentElement: frame}} of drawings)
+      frame.scrollWidth > frame.clientWidth ? frame.tabIndex = 0 : frame.removeAttribute('tabindex');
   });
 
   addEventListener('DOMContentLoaded', () => {
@@ -74,6 +75,6 @@
     unfold();
     document.querySelectorAll('div.fragment, pre.output, pre.shell').forEach(copyButton);
     document.querySelectorAll('svg.moves').forEach(pauseButton);
-    document.querySelectorAll('.drawn').forEach((drawing) => reachable.observe(drawing));
+    document.querySelectorAll('.drawn > svg').forEach((drawing) => reachable.observe(drawing));
   });
 })();

@@ -19,14 +19,16 @@ const smallestLabel = 11;  // pixels
 
 // How large the letters of each text are, where they are largest: a subscript may be smaller.
 function sizesOf(node, inherited) {
-  const size = parseFloat(node.attributes?.['font-size'] ?? inherited), below = (node.children ?? []).flatMap((child) => sizesOf(child, size));
+  const size = parseFloat(node.attributes?.['font-size'] ?? inherited);
+  const below = (node.children ?? []).flatMap((child) => sizesOf(child, size));
   if (node.name === 'text') return below.length ? [Math.max(...below)] : [];
   return node.type === 'text' && node.value.trim() ? [size] : below;
 }
 
 // How wide a drawing has to be for its labels to be read on any screen.
 function leastWidth(svg) {
-  const [, , width] = svg.attributes.viewBox.split(' ').map(Number), labels = (svg.children ?? []).flatMap((child) => sizesOf(child, NaN));
+  const [, , width] = svg.attributes.viewBox.split(' ').map(Number);
+  const labels = (svg.children ?? []).flatMap((child) => sizesOf(child, NaN));
   return labels.length ? Math.ceil(smallestLabel / Math.min(...labels.filter((size) => size > 0)) * width) : 0;
 }
 

@@ -59,7 +59,8 @@ for (const chapter of chapters)
   reach.set(chapter, reachedFrom(filesBelow(join(root, 'chapters', chapter.folder), (file) => /\.(cpp|hpp)$/.test(file))));
 
 const link = (page) => `<a href="${page.page}">${page.number ? `${page.number} · ` : ''}${escape(page.title)}</a>`;
-const links = (list) => list.length === chapters.length ? say('all chapters') : list.length > 1 && list.length === chapters.length - 1
+const links = (list) => list.length === chapters.length ? say('all chapters')
+  : list.length > 1 && list.length === chapters.length - 1
   ? say('all chapters but', link(chapters.find((chapter) => !list.includes(chapter))))
   : say(list.length > 1 ? 'in chapters' : 'in one chapter', list.map(link).join(', '));
 

@@ -50,8 +50,10 @@ export function paperTable() {
   return part('sections', say('sections'), map.sections.map((item) => row('s' + item.id, `§${item.id}`, text(item.says), item))) +
          part('equations', say('equations'), map.equations.map((item) =>
            row('e' + item.id, `(${item.id})`, formula(item.tex), item))) +
-         part('figures', say('figures'), map.figures.map((item) => row('f' + item.id, say('numbered figure', item.id), text(item.says), item))) +
-         part('listings', say('listings'), map.listings.map((item) => row('p' + item.id, say('numbered program', item.id), text(item.says), item))) +
+         part('figures', say('figures'), map.figures.map((item) =>
+           row('f' + item.id, say('numbered figure', item.id), text(item.says), item))) +
+         part('listings', say('listings'), map.listings.map((item) =>
+           row('p' + item.id, say('numbered program', item.id), text(item.says), item))) +
          part('numbers', say('numbers'), map.numbers.map((item, i) =>
            row('n' + (i + 1), escape(item.of), printedNumber(item), item)));
 }

@@ -51,8 +51,9 @@ function meshScript(name) {
   return `(globalThis.firstContactMeshes ??= {}).${name} = {vertices: [${numbers(vertices)}], faces: [${numbers(corners)}]};\n`;
 }
 
-const bundle = (from, to, options) => buildSync({entryPoints: [join(source, from)], outfile: join(html, to), bundle: true, format: 'iife',
-                                                 charset: 'utf8', logLevel: 'silent', ...options});
+const bundle = (from, to, options) =>
+  buildSync({entryPoints: [join(source, from)], outfile: join(html, to), bundle: true, format: 'iife', charset: 'utf8',
+             logLevel: 'silent', ...options});
 
 /// Puts into the site what its figures to touch need.
 export function buildTouch() {

@@ -74,7 +74,8 @@ void feed_options(const std::string& bytes) {
 void feed_film(const std::string& bytes) {
   try {
     const tween_bounce::Film film = tween_bounce::film_of(bytes, "film", "nowhere");
-    require(film.keys.size() > 1 && film.begin() < film.end(), "a film must have two keys, one after the other");
+    require(film.keys.size() > 1 && film.begin() < film.end(),
+            "a film must have two keys, one after the other");
     for (const tween_bounce::FilmKey& key : film.keys) {
       require(key.place.allFinite() && key.turn.coeffs().allFinite(), "a key must be somewhere");
       require(key.scale > 0 && std::isfinite(key.easing(0.3)), "a key must be drawn, and eased");

@@ -127,7 +127,8 @@ TEST_CASE("Between two of its turns an easing only rises or only falls, to withi
   });
 }
 
-TEST_CASE("A function of one's own is an easing, with exact ends, and none, or one without values, is refused") {
+TEST_CASE(
+    "A function of one's own is an easing, with exact ends, and none, or one without values, is refused") {
   const Easing half([](double t) { return 0.25 + t / 2; });
   CHECK(half(0) == 0);
   CHECK(half(0.5) == 0.5);

@@ -23,8 +23,7 @@ Passage while_at_least(double limit, double d0, double d1, const Passage& part) 
 
 BallSearch::BallSearch(const Moving<Sphere>& ball, const Bounds& scene)
     : ball_(ball),
-      reach_(ball.shape.radius +
-             search_margin * std::max(largest_coordinate(scene), largest_of(ball))) {}
+      reach_(ball.shape.radius + search_margin * std::max(largest_coordinate(scene), largest_of(ball))) {}
 
 bool BallSearch::reaches(const Bounds& box) const {
   return passage(ball_.shape.center, ball_.displacement, grown(box, reach_), {0, last_}).has_value();

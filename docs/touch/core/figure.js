@@ -49,8 +49,10 @@ export class Figure {
       if (name === own.play?.of) this.stop();
       this.change(name, this.meant(name, wished));
     };
-    const controls = (Kind, wanted) => Object.entries(own.parameters).filter(([, {isPlace = false, isExact}]) => !isExact && isPlace === wanted)
-        .map(([name, parameter]) => new (parameter.isToggle ? Toggle : Kind)(name, parameter, words[name], now(name), moved(name)));
+    const controls = (Kind, wanted) => Object.entries(own.parameters)
+        .filter(([, {isPlace = false, isExact}]) => !isExact && isPlace === wanted)
+        .map(([name, parameter]) =>
+          new (parameter.isToggle ? Toggle : Kind)(name, parameter, words[name], now(name), moved(name)));
     this.handles = controls(Handle, true);
     this.sliders = controls(Slider, false);
     this.drawing = mark('g', {'aria-hidden': true});
@@ -143,8 +145,11 @@ export class Figure {
 
   changed() {
     this.keep();
-    this.tell();
-    this.soon ??= requestAnimationFrame(() => { this.soon = undefined; this.show(); });
+    this.soon ??= requestAnimationFrame(() => {
+      this.soon = undefined;
+      this.show();
+      this.tell();
+    });
   }
 
   /// Lets one number run from its least value to its most, in so many seconds.

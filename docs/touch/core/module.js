@@ -22,7 +22,8 @@ function put(name, length, value) {
 }
 
 // "bunny/faces", of what a script of the page has brought.
-const given = (name, length) => wordAt(name, length).split('/').reduce((place, part) => place[part], globalThis.firstContactMeshes);
+const given = (name, length) =>
+  wordAt(name, length).split('/').reduce((place, part) => place[part], globalThis.firstContactMeshes);
 
 // What api/page.cpp calls; the rest is what the C library asks an operating system for, and there is none.
 const page = {

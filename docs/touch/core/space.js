@@ -10,7 +10,8 @@ export async function spaceOf({canvas, own: {space}}, ask) {
   const {mesh, asks} = space;
   await Promise.all([script('touch-space.js'), ...(mesh ? [script(`touch-${mesh}.js`)] : [])]);
   const context = canvas.getContext('webgl2', {antialias: true, alpha: true});
-  return context && new globalThis.firstContactSpace.Space(canvas, context, mesh ? globalThis.firstContactMeshes[mesh] : ask(asks), space);
+  const surface = () => mesh ? globalThis.firstContactMeshes[mesh] : ask(asks);
+  return context && new globalThis.firstContactSpace.Space(canvas, context, surface(), space);
 }
 
 /// The words of a figure, where it cannot be drawn.

@@ -35,7 +35,8 @@ export const bunny = {
   },
 
   draw([pen], {hand, aim}, answer, words) {
-    return [[pen.label(words.start, hand, [0, 26], 'motion', 'middle'), pen.path([[aim[0] - 0.3, aim[1]], [aim[0] + 0.3, aim[1]]], 'hair'),
+    return [[pen.label(words.start, hand, [0, 26], 'motion', 'middle'),
+             pen.path([[aim[0] - 0.3, aim[1]], [aim[0] + 0.3, aim[1]]], 'hair'),
              pen.path([[aim[0], aim[1] - 0.3], [aim[0], aim[1] + 0.3]], 'hair')]];
   },
 

@@ -30,7 +30,7 @@ export const deCasteljau = {
     const [control, second, third, [point]] = levelsOf(levels);
     return [[
       pen.path(control, 'thin'), pen.path(second, 'obstacle'), pen.path(third, 'motion-line'), pen.path(pairs(line), 'right'),
-      ...pairs(dots).map((dot) => pen.dot(dot, 'lit', 2.6)), ...second.map((each) => pen.dot(each)), ...third.map((each) => pen.dot(each)),
+      ...pairs(dots).map((dot) => pen.dot(dot, 'lit', 2.6)), ...[...second, ...third].map((each) => pen.dot(each)),
       pen.ball(point, 0.13, 'mover'),
       ...[a, b, c, d].map((each, i) => pen.label(`P_${i}`, each, [12, each[1] > 2 ? -10 : 22])),
     ]];

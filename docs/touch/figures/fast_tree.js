@@ -46,7 +46,8 @@ export const fastTree = {
     const {contact, drawn: {steps, kept = [], dropped = [], waiting = [], triangles}} = answer;
     if (state.step < 1) return words.begins(steps);
     if (isOver(state, answer)) return contact ? words.ends(contact.triangle, shown(contact.time)) : words.free;
-    const looked = triangles ? words.leaf(triangles.kept.length, triangles.dropped.length) : words.node(kept.length / 6, dropped.length / 6);
+    const looked = triangles ? words.leaf(triangles.kept.length, triangles.dropped.length)
+      : words.node(kept.length / 6, dropped.length / 6);
     return `${words.nth(state.step, steps)} ${looked} ${words.waits(waiting.length / 6)}`;
   },
 };

@@ -5,7 +5,7 @@ const view = {left: -4.5, right: 4.5, bottom: -1.5, top: 2.6};
 
 // 1, 3.16, 10, ... radii, three digits each: the line that runs the same scene has the same number.
 const distance = ({power}) => Number((10 ** power).toPrecision(3));
-const within = (x) => Math.min(Math.max(x, view.left + 0.4), view.right - 0.4);
+const inView = (place) => place && [Math.min(Math.max(place[0], view.left + 0.4), view.right - 0.4), place[1]];
 
 export const fromAfar = {
   program: 'general-sphere',
@@ -20,11 +20,11 @@ export const fromAfar = {
   options: (state) => ({'--afar': distance(state), '--beside': state.beside}),
 
   draw([pen], {beside}, {drawn}) {
-    const right = drawn.double?.stable, printed = drawn.float?.textbook;
+    const right = drawn.double?.stable, printed = inView(drawn.float?.textbook);
     return [[
       pen.arrow([view.left, beside], [view.right - 0.3, beside], 'motion rest'), pen.ball([0, 0], 1, 'trace'),
       ...(right ? [pen.ball(right, 1, 'ball right'), pen.dot(right)] : []),
-      ...(printed ? [pen.ball([within(printed[0]), printed[1]], 1, 'printed'), pen.dot([within(printed[0]), printed[1]], 'dot printed')] : []),
+      ...(printed ? [pen.ball(printed, 1, 'printed'), pen.dot(printed, 'dot printed')] : []),
       pen.dot([0, 0], 'dot', 4), pen.label('A', [0, 0], [8, 20]),
     ]];
   },

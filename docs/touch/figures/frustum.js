@@ -51,5 +51,5 @@ export const frustum = {
     [words.verdict, [rejected ? words.rejected : words.kept, 'right']]],
 
   told: (state, {camera: {highest, rejected}, drawn: {worst}}, words) =>
-    rejected ? words.behind(words[sides[worst]], shown(-highest[sides[worst]])) : words.before(words[sides[worst]], shown(highest[sides[worst]])),
+    (rejected ? words.behind : words.before)(words[sides[worst]], shown(Math.abs(highest[sides[worst]]))),
 };

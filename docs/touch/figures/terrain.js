@@ -37,7 +37,8 @@ export const terrain = {
   },
 
   answers: (state, {contacts, end}, words) => [
-    [words.contacts, [String(listed(contacts).length)]], [words.triangle, ...listed(contacts).slice(0, 3).map(({triangle}) => [String(triangle)])],
+    [words.contacts, [String(listed(contacts).length)]],
+    [words.triangle, ...listed(contacts).slice(0, 3).map(({triangle}) => [String(triangle)])],
     ['<i>t</i>', ...listed(contacts).slice(0, 3).map(({time}) => [shown(time)])], [words.end, [`(${points(end)})`, 'right']]],
 
   told: (state, {contacts, end}, words) => {

@@ -1,6 +1,7 @@
 // A picture in space, drawn by three below the marks of a figure: one mesh, and balls, arrows and lit triangles. Places are
 // the library's; a colour is one of the book's, by its name.
-import {BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Group, HemisphereLight, Mesh,
+import {BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Group,
+        HemisphereLight, Mesh,
         MeshLambertMaterial, OrthographicCamera, Scene, SphereGeometry, Vector3, WebGLRenderer} from 'three';
 
 const far = 60;  // the eye is outside of everything
@@ -9,7 +10,8 @@ const upright = new Vector3(0, 1, 0);
 
 function triangles(vertices, faces) {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(faces.flatMap((i) => vertices.slice(3 * i, 3 * i + 3))), 3));
+  const corners = new Float32Array(faces.flatMap((i) => vertices.slice(3 * i, 3 * i + 3)));
+  geometry.setAttribute('position', new BufferAttribute(corners, 3));
   geometry.computeVertexNormals();  // no corner is shared: flat triangles
   return geometry;
 }
@@ -28,7 +30,8 @@ export class Space {
   /// \param mesh  {vertices, faces}: the coordinates, three a vertex, and the vertices, three a face; and its colour
   constructor(canvas, context, mesh, {colour, opacity = 1}) {
     this.renderer = new WebGLRenderer({canvas, context, antialias: true, alpha: true});
-    Object.assign(this, {canvas, source: mesh, colour, opacity, scene: new Scene(), things: new Group(), materials: new Map(), seen: new Map()});
+    Object.assign(this, {canvas, source: mesh, colour, opacity, scene: new Scene(), things: new Group()});
+    Object.assign(this, {materials: new Map(), seen: new Map()});
     this.mesh = new Mesh(triangles(mesh.vertices, mesh.faces));
     this.lamp = new DirectionalLight(0xffffff, 2.2);
     this.scene.add(this.mesh, this.things, new HemisphereLight(0xffffff, 0x888888, 1.6), this.lamp, this.lamp.target);
@@ -41,7 +44,8 @@ export class Space {
       this.seen.set(name, getComputedStyle(this.canvas).color);
     }
     const color = this.seen.get(name), key = `${color} ${opacity}`;
-    if (!this.materials.has(key)) this.materials.set(key, new MeshLambertMaterial({color, side: DoubleSide, transparent: opacity < 1, opacity}));
+    const material = () => new MeshLambertMaterial({color, side: DoubleSide, transparent: opacity < 1, opacity});
+    if (!this.materials.has(key)) this.materials.set(key, material());
     return this.materials.get(key);
   }
 
