@@ -209,14 +209,8 @@ void run_casts(Program& program, const Scene& scene, const Environment& environm
   program.checked("--results", [&] { write_file(scene.results, results); });
 }
 
-}  // namespace
-
-//! [main]
-int main(int argc, char** argv) {
-  Program program("general_sphere", "04_general_sphere",
-                  {"A moving sphere meets an arbitrary environment (paper, 2.1).",
-                   "球面與任意環境之間的碰撞（論文 2.1）。"});
-  Scene scene;
+//! [options]
+void take_options(Program& program, Scene& scene) {
   program.option("--mesh", scene.mesh, "FILE",
                  {"the environment: an OBJ, OFF, PLY or STL file; progress is shown if it is large",
                   "環境：OBJ、OFF、PLY 或 STL 檔；檔案較大時顯示進度"});
@@ -235,6 +229,18 @@ int main(int argc, char** argv) {
       {"radii from which a ball comes at a vertex, in --json", "球從多少個半徑外飛向頂點，列於 --json"},
       from_one_to_1e9);
   program.option("--beside", scene.beside, "d", {"how far beside it", "偏離頂點多遠"}, not_negative);
+}
+//! [options]
+
+}  // namespace
+
+//! [main]
+int main(int argc, char** argv) {
+  Program program("general_sphere", "04_general_sphere",
+                  {"A moving sphere meets an arbitrary environment (paper, 2.1).",
+                   "球面與任意環境之間的碰撞（論文 2.1）。"});
+  Scene scene;
+  take_options(program, scene);
   return program.run(argc, argv, [&] {
     const auto moving = program.checked({"--to", "--from", "--radius"}, [&] {
       return Moving<Sphere>{{scene.from, scene.radius}, scene.to - scene.from};
