@@ -15,6 +15,7 @@
 #include "plain_tree.hpp"
 #include "room.hpp"
 #include "stage.hpp"
+#include "walls.hpp"
 
 using namespace first_contact;
 using namespace first_contact::program;
@@ -196,6 +197,35 @@ void tell_hit_tests(Program& program, const Stage& stage) {
   tell_test("with shapeFlag", "/hit_tests/point_in_shape", hit_test_point(stage.leaf, stage.pointer, true),
             {"against the shape itself", "滑鼠對形狀"});
 }
+
+// A ball that rolls among walls, seen from above: the figure to touch.
+template <class Tree>
+std::optional<Contact> tell_roll(Program& program, const std::string& name, const Tree& tree, Cast&& cast) {
+  const auto [counted, contact] = partitioning_chapter::found_in(tree, cast);
+  program
+      .row(name + ", tests", counted.tests,
+           {"of a wall; nodes looked at: " + std::to_string(counted.nodes),
+            "牆面的測試；檢視的節點：" + std::to_string(counted.nodes)})
+      .result("/walls/" + name + "/tests");
+  program.result("/walls/" + name + "/nodes", counted.nodes);
+  return contact;
+}
+
+void tell_walls(Program& program, const Moving<Sphere>& ball) {
+  const partitioning_chapter::Yard yard;
+  const auto cast = [&] { return Cast(ball, yard.walls, yard.bounds); };
+  program.report().say({"A ball that rolls among " + std::to_string(yard.walls.size()) + " walls, in a plane",
+                        "球在平面上的 " + std::to_string(yard.walls.size()) + " 面牆之間滾動"});
+  tell_roll(program, "octree", yard.octree, cast());
+  tell_roll(program, "bsp", yard.bsp, cast());
+  const auto contact = tell_roll(program, "bvh", yard.bvh, cast());
+  program.result("/walls/contact", nullptr);
+  if (!contact) return program.report().say({"It touches none", "未碰到任何牆"});
+  program.report().row("t", fixed(contact->time, 4), {"first contact", "碰撞時間"});
+  program.result("/walls/contact/time", contact->time);
+  program.result("/walls/contact/wall", contact->triangle);
+  program.result("/walls/contact/normal", contact->normal);
+}
 //! [report]
 
 //! [notes]
@@ -242,6 +272,7 @@ struct Scene {
   long seed = 1;
   std::string mesh;
   Places places;
+  partitioning_chapter::Roll roll;
 };
 
 // The triangles of a mesh, or as many as are asked for.
@@ -272,18 +303,24 @@ int main(int argc, char** argv) {
                  {"where the leaf of the hit tests stands", "碰撞測試中葉子的位置"});
   program.option("--hook", scene.places.hook, "x,y", {"where the hook stands", "鉤子的位置"});
   program.option("--pointer", scene.places.pointer, "x,y", {"where the pointer is", "游標的位置"});
+  program.option("--from", scene.roll.from, "x,y",
+                 {"where a ball that rolls among walls starts", "在牆間滾動的球的起點"});
+  program.option("--to", scene.roll.to, "x,y", {"where it ends if it touches none", "未碰到牆時的終點"});
+  program.option("--radius", scene.roll.radius, "r", {"its radius", "球的半徑"}, not_negative);
   return program.run(argc, argv, [&] {
     if (program.given("--mesh") && program.given("--objects"))
       throw Refused("--objects " + std::to_string(scene.objects) + ": must not be given with --mesh");
     const auto triangles = program.checked("--mesh", [&] { return triangles_of(scene); });
     const auto seed = static_cast<std::uint64_t>(scene.seed);
     const Stage stage(scene.places);
+    const auto rolling = program.checked({"--to", "--from", "--radius"}, [&] { return scene.roll.ball(); });
     const Costs costs(triangles, seed);
     tell(program, costs);
     tell_log8(program.report(), seed);
     tell_same_side(program.report());
     tell_grown_planes(program);
     tell_hit_tests(program, stage);
+    tell_walls(program, rolling);
     note_costs(program, costs, triangles);
     note_depths(program, seed);
     note_faults(program, seed);

@@ -49,6 +49,7 @@ const std::vector<Bad> all_bad{
     {"partitioning", {"--seed", "0.5"}, {"--seed", "0.5", "whole number"}},
     {"partitioning", {"--mesh", "/nowhere/at.off"}, {"--mesh", "/nowhere/at.off"}},
     {"partitioning", {"--pointer", "1"}, {"--pointer", "1", "2 numbers"}},
+    {"partitioning", {"--radius", "-1"}, {"--radius", "-1", "not be negative"}},
     {"general_sphere", {"--radius", "-0.1"}, {"--radius", "-0.1", "not be negative"}},
     {"general_sphere", {"--mesh", "/nowhere/at.off"}, {"--mesh", "/nowhere/at.off"}},
     {"general_sphere",
@@ -179,6 +180,20 @@ TEST_CASE("Numbers in JSON are read back as the doubles that they were") {
 
 TEST_CASE("A contact that does not happen is null") {
   CHECK(json_of("plane", {"--to", "0,0,9"})["contact"].is_null());
+}
+
+TEST_CASE(
+    "A ball that rolls away from all walls touches none, and by its box each tree of boxes leaves out all") {
+  const json walls = json_of("partitioning", {"--from", "-1,-1", "--to", "-3,-1"})["walls"];
+  CHECK(walls["contact"].is_null());
+  for (const char* tree : {"octree", "bvh"}) CHECK(walls[tree]["tests"] == 0);
+}
+
+TEST_CASE(
+    "A point that rolls down at a wall, 1.2 above it and on its way of 2, touches it after three fifths") {
+  const json at_wall = json_of("partitioning", {"--from", "5.4,4.1", "--to", "5.4,2.1", "--radius", "0"});
+  CHECK(at_wall["walls"]["contact"]["wall"] == 12);
+  CHECK(at_wall["walls"]["contact"]["time"] == Approx(0.6).epsilon(1e-14));
 }
 
 TEST_CASE("A pointer in the leaf is found by both hit tests, one beside it by that of the box alone") {

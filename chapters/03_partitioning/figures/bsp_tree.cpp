@@ -6,9 +6,11 @@
 #include "figures.hpp"
 #include "first_contact/figure/scene.hpp"
 #include "first_contact/trees/collection.hpp"
+#include "walls.hpp"
 
 using namespace first_contact;
 using namespace first_contact::figure;
+using partitioning_chapter::part_of;
 namespace colour = first_contact::figure::colour;
 
 namespace {
@@ -36,17 +38,6 @@ struct Place {
   std::vector<Point> region;
   Point in_tree;
 };
-
-std::vector<Point> part_of(const std::vector<Point>& region, const Plane& plane, double side) {
-  std::vector<Point> part;
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    const Point &p = region[i], &q = region[(i + 1) % region.size()];
-    const double at_p = side * plane.signed_distance(p), at_q = side * plane.signed_distance(q);
-    if (at_p >= 0) part.push_back(p);
-    if ((at_p > 0) != (at_q > 0)) part.emplace_back(p + at_p / (at_p - at_q) * (q - p));
-  }
-  return part;
-}
 
 // Where a plane crosses a region.
 std::vector<Point> cut_through(const std::vector<Point>& region, const Plane& plane) {

@@ -51,6 +51,24 @@ export class Toggle {
   }
 }
 
+/// Buttons of which one is pressed in: one of several.
+export class Choice {
+  constructor(name, parameter, label, now, moved) {
+    this.name = name;
+    this.inputs = label.choices.map((spoken, i) => {
+      const input = make('input', {type: 'radio', name: `choice-${name}`, 'aria-label': spoken});
+      input.addEventListener('change', () => moved(i));
+      return input;
+    });
+    this.element = make('div', {className: 'choice', role: 'radiogroup', 'aria-label': label.spoken},
+                        ...this.inputs.map((input, i) => make('label', {className: 'toggle'}, input, make('span', {textContent: label.choices[i]}))));
+  }
+
+  show(value) {
+    this.inputs.forEach((input, i) => { input.checked = i === value; });
+  }
+}
+
 function answer([text, kind = '', part]) {
   const element = make('dd', {textContent: text, className: kind});
   if (part !== undefined) element.append(make('span', {className: 'bar', style: `--part: ${part}`}));

@@ -1,5 +1,5 @@
 // A figure to touch: its state, what the book's C++ answers, and one function, `show`, that draws all of it anew.
-import {Slider, Toggle, button, make, showAnswers} from './controls.js';
+import {Choice, Slider, Toggle, button, make, showAnswers} from './controls.js';
 import {Handle} from './handles.js';
 import {clamped, fragmentOf, shown, startOf, stateFrom} from './state.js';
 import {canvasBelow, turnByHand} from './space.js';
@@ -7,6 +7,9 @@ import {steering} from './steer.js';
 import {Pen, mark} from './svg.js';
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
+
+// What is ticked or chosen has its own control.
+const kindOf = ({isToggle, isChoice}) => isToggle ? Toggle : isChoice ? Choice : undefined;
 
 // Does something once, a while after it was last asked for.
 function later(milliseconds, what) {
@@ -52,7 +55,7 @@ export class Figure {
     const controls = (Kind, wanted) => Object.entries(own.parameters)
         .filter(([, {isPlace = false, isExact}]) => !isExact && isPlace === wanted)
         .map(([name, parameter]) =>
-          new (parameter.isToggle ? Toggle : Kind)(name, parameter, words[name], now(name), moved(name)));
+          new (kindOf(parameter) ?? Kind)(name, parameter, words[name], now(name), moved(name)));
     this.handles = controls(Handle, true);
     this.sliders = controls(Slider, false);
     this.drawing = mark('g', {'aria-hidden': true});

@@ -6,6 +6,8 @@ const decimals = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
 export const number = (start, {least, most, step, fine = step}) => ({start, least, most, step, fine});
 /// Something that is on, 1, or off, 0.
 export const toggle = (start) => ({...number(start, {least: 0, most: 1, step: 1}), isToggle: true});
+/// One of several, by its number from 0; the words name each.
+export const choice = (start, {length}) => ({...number(start, {least: 0, most: length - 1, step: 1}), isChoice: true});
 /// A place in the plane: {start: [x, y], least: [x, y], most: [x, y], step, fine}; with `from` the way from another place
 /// to it, such as a velocity; that place is a parameter, or [x, y].
 export const place = (start, {least, most, step = 0.1, fine = 0.01, from}) =>

@@ -9,6 +9,7 @@ export {fastTree as 'fast-tree'} from './fast_tree.js';
 export {generalSphere as 'general-sphere'} from './general_sphere.js';
 export {hitTest as 'hit-test'} from './hit_test.js';
 export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';
+export {partitioning} from './partitioning.js';
 export {plane} from './plane.js';
 export {slide} from './slide.js';
 export {terrain} from './terrain.js';

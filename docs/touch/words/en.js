@@ -34,6 +34,20 @@ export const words = {
     before: (side, height) => `The plank is kept: over each plane something of it is in front, over the ${side} plane ${height}.`,
   },
 
+  partitioning: {
+    title: 'A ball among walls, and what a tree lets it leave out',
+    caption: `<b>To touch.</b> Drag both ends of the path, and choose a tree. Each part that the search goes into has an orange rim, and is
+      tinted if it is cut no more; the rest it leaves out. In a plane the octree is a quadtree: the upper four of eight children are
+      empty, and looked at too. A wall is in the square of its middle, so its box may reach into others.`,
+    from: 'where the ball starts', to: 'where it ends if it touches none',
+    radius: {html: 'radius <i>r</i>', spoken: 'radius r'},
+    tree: {spoken: 'which tree', choices: ['quadtree', 'BSP tree', 'tree of boxes']},
+    work: (nodes, tests) => `${nodes} nodes, ${tests} tests`,
+    touches: (wall, t) => `The ball touches wall ${wall} first, at <i>t</i> = ${t}.`,
+    free: 'The ball touches no wall on its way.',
+    takes: (tree, nodes, tests, all) => `The ${tree} looks at ${nodes} nodes, and tests ${tests} of ${all} walls.`,
+  },
+
   'hit-test': {
     title: 'A leaf, a hook and a pointer on a stage',
     caption: `<b>To touch.</b> Drag the pointer, the leaf and the hook. <code>hitTestPoint</code> asks the box of the leaf or, with its flag,
