@@ -213,7 +213,7 @@ std::optional<Contact> tell_roll(Program& program, const std::string& name, cons
 
 void tell_walls(Program& program, const Moving<Sphere>& ball) {
   const partitioning_chapter::Yard yard;
-  const auto cast = [&] { return Cast(ball, yard.walls, yard.bounds); };
+  const auto cast = [&] { return Cast(ball, yard.walls, yard.bounds()); };
   program.report().say({"A ball that rolls among " + std::to_string(yard.walls.size()) + " walls, in a plane",
                         "球在平面上的 " + std::to_string(yard.walls.size()) + " 面牆之間滾動"});
   tell_roll(program, "octree", yard.octree, cast());

@@ -7,31 +7,27 @@ using namespace first_contact;
 namespace {
 
 constexpr double half_height = 0.1;
-constexpr std::array<std::array<double, 4>, 14> ends{{{0.4, 5.1, 1.2, 5.3},
-                                                      {0.3, 3.3, 0.7, 2.4},
-                                                      {0.9, 3.9, 1.5, 4.3},
-                                                      {0.5, 0.6, 1.1, 0.9},
-                                                      {1.5, 1.4, 1.8, 0.5},
-                                                      {1.8, 3.0, 2.3, 2.5},
-                                                      {2.2, 5.2, 2.6, 4.5},
-                                                      {2.9, 3.6, 3.2, 4.0},
-                                                      {2.8, 0.7, 3.4, 1.1},
-                                                      {3.8, 4.9, 4.5, 5.2},
-                                                      {4.1, 3.3, 4.4, 4.0},
-                                                      {4.2, 1.0, 4.7, 0.3},
-                                                      {5.1, 3.0, 5.7, 2.8},
-                                                      {5.5, 4.8, 6.0, 4.3}}};
+// In tenths: from x, y to x, y.
+constexpr std::array<std::array<signed char, 4>, 14> ends{{{4, 51, 12, 53},
+                                                           {3, 33, 7, 24},
+                                                           {9, 39, 15, 43},
+                                                           {5, 6, 11, 9},
+                                                           {15, 14, 18, 5},
+                                                           {18, 30, 23, 25},
+                                                           {22, 52, 26, 45},
+                                                           {29, 36, 32, 40},
+                                                           {28, 7, 34, 11},
+                                                           {38, 49, 45, 52},
+                                                           {41, 33, 44, 40},
+                                                           {42, 10, 47, 3},
+                                                           {51, 30, 57, 28},
+                                                           {55, 48, 60, 43}}};
 
 std::vector<Triangle> standing_walls() {
   std::vector<Triangle> all;
   for (const auto& [x0, y0, x1, y1] : ends)
-    all.emplace_back(Point(x0, y0, -half_height), Point(x1, y1, 0), Point(x0, y0, half_height));
-  return all;
-}
-
-Bounds around(const std::vector<Triangle>& triangles) {
-  Bounds all;
-  for (const Triangle& triangle : triangles) all.extend(bounds_of(triangle));
+    all.emplace_back(Point(x0 / 10.0, y0 / 10.0, -half_height), Point(x1 / 10.0, y1 / 10.0, 0),
+                     Point(x0 / 10.0, y0 / 10.0, half_height));
   return all;
 }
 
@@ -41,7 +37,6 @@ namespace partitioning_chapter {
 
 Yard::Yard()
     : walls(standing_walls()),
-      bounds(around(walls)),
       octree(walls, OctreeLimits{1, 20}),
       bsp(walls, BspLimits{1, 64, 16, 8}),
       bvh(walls, BoxTreeLimits{1}) {}
@@ -56,7 +51,7 @@ std::vector<Point> part_of(const std::vector<Point>& region, const Plane& plane,
     const Point &p = region[i], &q = region[(i + 1) % region.size()];
     const double at_p = side * plane.signed_distance(p), at_q = side * plane.signed_distance(q);
     if (at_p >= 0) part.push_back(p);
-    if ((at_p > 0) != (at_q > 0)) part.emplace_back(p + at_p / (at_p - at_q) * (q - p));
+    if ((at_p > 0) != (at_q > 0)) part.push_back(p + at_p / (at_p - at_q) * (q - p));
   }
   return part;
 }

@@ -17,7 +17,6 @@ namespace partitioning_chapter {
 /// Fourteen walls in a yard of 6 by 5: triangles that stand upright, half above the plane z = 0, half below.
 struct Yard {
   std::vector<first_contact::Triangle> walls;
-  first_contact::Bounds bounds;
   ///@{
   /// Cut until one wall is left in each part.
   first_contact::Octree octree;
@@ -26,6 +25,7 @@ struct Yard {
   ///@}
 
   Yard();
+  first_contact::Bounds bounds() const { return octree.node(0).bounds; }
 };
 
 /// Where a ball rolls in the plane z = 0.

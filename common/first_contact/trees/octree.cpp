@@ -63,14 +63,17 @@ void Octree::distribute(const Node& parent, std::span<const Bounds> objects) {
   work_ += parent.end - parent.begin;
   const double half = 0.5 * parent.side;
   const Point middle = parent.low + Vector::Constant(half);
-  const auto octant = [&](std::uint32_t object) { return octant_of(middle_of(objects[object]), middle); };
-  const auto begin = order_.begin() + parent.begin, end = order_.begin() + parent.end;
-  std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) { return octant(a) < octant(b); });
+  std::array<std::vector<std::uint32_t>, 8> octants;
+  for (std::uint32_t i = parent.begin; i < parent.end; ++i)
+    octants[octant_of(middle_of(objects[order_[i]]), middle)].push_back(order_[i]);
   std::uint32_t at = parent.begin;
   for (unsigned i = 0; i < 8; ++i) {
     Node child{{}, corner_of(i, parent.low, middle), half};
     child.begin = at;
-    for (; at < parent.end && octant(order_[at]) == i; ++at) child.bounds.extend(objects[order_[at]]);
+    for (const std::uint32_t object : octants[i]) {
+      child.bounds.extend(objects[object]);
+      order_[at++] = object;
+    }
     child.end = at;
     nodes_.push_back(child);
   }

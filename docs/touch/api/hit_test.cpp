@@ -27,9 +27,8 @@ std::vector<double> crossings(const StageObject& object, const Point2& p) {
     const Point2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
     if ((a.y() <= p.y()) == (b.y() <= p.y())) continue;
     const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    if (x > p.x()) all.push_back(x);
+    if (x > p.x()) all.insert(std::upper_bound(all.begin(), all.end(), x), x);
   }
-  std::sort(all.begin(), all.end());
   return all;
 }
 

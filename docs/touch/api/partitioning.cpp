@@ -1,7 +1,7 @@
 // Chapter 3: a ball that rolls among walls, and the parts of a tree that the search for the first one enters.
-#include <map>
-#include <set>
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "03_partitioning/walls.hpp"
 #include "page.hpp"
@@ -21,23 +21,27 @@ class NotedCast : public Cast {
 
   bool reaches(const Bounds& box) const override {
     const bool goes_in = Cast::reaches(box);
-    if (goes_in) boxes_.insert(&box);
+    if (goes_in) boxes_.push_back(&box);
     return goes_in;
   }
   Sides sides(const Plane& plane, const Passage& part) const override {
-    return planes_[&plane] = Cast::sides(plane, part);
+    planes_.emplace_back(&plane, Cast::sides(plane, part));
+    return planes_.back().second;
   }
 
-  bool went_into(const Bounds& box) const { return boxes_.contains(&box); }
-  // Nothing of what it was never shown.
+  bool went_into(const Bounds& box) const {
+    return std::find(boxes_.begin(), boxes_.end(), &box) != boxes_.end();
+  }
+  // Nothing of a plane that it was never shown.
   Sides went_beside(const Plane& plane) const {
-    const auto shown = planes_.find(&plane);
-    return shown == planes_.end() ? Sides{{1, 0}, {1, 0}} : shown->second;
+    for (const auto& [shown, sides] : planes_)
+      if (shown == &plane) return sides;
+    return {{1, 0}, {1, 0}};
   }
 
  private:
-  mutable std::set<const Bounds*> boxes_;
-  mutable std::map<const Plane*, Sides> planes_;
+  mutable std::vector<const Bounds*> boxes_;
+  mutable std::vector<std::pair<const Plane*, Sides>> planes_;
 };
 
 // Of each part of the plane: how many corners, whether the search went in, whether it is a leaf, the corners.
@@ -92,7 +96,7 @@ void add_parts(Parts& parts, const BspTree& tree, const NotedCast& cast) {
 template <class Tree>
 Found tell_tree(const std::string& name, const Tree& tree, const Yard& yard, const Moving<Sphere>& ball,
                 bool is_drawn) {
-  NotedCast cast(ball, yard.walls, yard.bounds);
+  NotedCast cast(ball, yard.walls, yard.bounds());
   const Found found = found_in(tree, cast);
   tell("walls/" + name + "/tests", static_cast<double>(found.counted.tests));
   tell("walls/" + name + "/nodes", static_cast<double>(found.counted.nodes));
