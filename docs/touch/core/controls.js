@@ -61,7 +61,8 @@ export class Choice {
       return input;
     });
     this.element = make('div', {className: 'choice', role: 'radiogroup', 'aria-label': label.spoken},
-                        ...this.inputs.map((input, i) => make('label', {className: 'toggle'}, input, make('span', {textContent: label.choices[i]}))));
+                        ...this.inputs.map((input, i) =>
+                          make('label', {className: 'toggle'}, input, make('span', {textContent: label.choices[i]}))));
   }
 
   show(value) {

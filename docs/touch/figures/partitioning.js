@@ -34,7 +34,8 @@ export const partitioning = {
 
   draw([pen], {from, to, radius}, {walls: {contact}, drawn}) {
     const parts = partsOf(drawn.parts), end = contact ? between(from, to, contact.time) : to;
-    const ends = pairs(drawn.walls), wall = (i) => pen.line(ends[2 * i], ends[2 * i + 1], i === contact?.wall ? 'lit' : 'obstacle');
+    const ends = pairs(drawn.walls);
+    const wall = (i) => pen.line(ends[2 * i], ends[2 * i + 1], i === contact?.wall ? 'lit' : 'obstacle');
     return [[
       ...parts.filter(({wentIn, isLeaf}) => wentIn && isLeaf).map(({corners}) => pen.path(corners, 'gone-into', true)),
       ...parts.map(({corners}) => pen.path(corners, 'thin', true)),
@@ -45,7 +46,8 @@ export const partitioning = {
   },
 
   answers: ({tree}, {walls}, words) => [
-    ...trees.map((name, i) => [words.tree.choices[i], [words.work(walls[name].nodes, walls[name].tests), i === tree ? 'right' : '']]),
+    ...trees.map((name, i) =>
+      [words.tree.choices[i], [words.work(walls[name].nodes, walls[name].tests), i === tree ? 'right' : '']]),
     ['<i>t</i>', [shown(walls.contact?.time)]]],
 
   told({tree}, {walls, walls: {contact}, drawn}, words) {
