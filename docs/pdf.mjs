@@ -97,8 +97,10 @@ let told = {count: 0, places: new Map()}, blanks = new Set(), isRight = false;
 for (let prints = 0; !isRight && prints < mostPrints; ++prints) {
   blanks = blanksFor(told, blanks);
   const printed = await print(browser, told.places, blanks);
-  isRight = same(printed.places, told.places);
-  told = printed;
+  // A place that no link leads to is not told; the index names a page once, and so drops one link or the other.
+  const places = new Map([...told.places, ...printed.places]);
+  isRight = same(places, told.places);
+  told = {count: printed.count, places};
 }
 await browser.close();
 if (!isRight) complain('the print edition', `after ${mostPrints} prints its page numbers still move`);

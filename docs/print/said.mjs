@@ -15,7 +15,7 @@ const written = {
   msub: ([base, sub]) => base + raised(sub, 'sub'),
   msup: ([base, sup]) => base + (prime(sup) ? sup : raised(sup, 'sup')),
   msubsup: ([base, sub, sup]) => base + raised(sub, 'sub') + (prime(sup) ? sup : raised(sup, 'sup')),
-  munder: ([base, under]) => base + raised(under, 'sub'),
+  munder: ([base, under]) => under.trim() === '⏟' ? base : base + raised(under, 'sub'),  // a brace says nothing
   mover: ([base, over]) => base + over,
   munderover: ([base, under, over]) => base + raised(under, 'sub') + raised(over, 'sup'),
   mtr: (cells) => cells.join(' ') + '; ',
