@@ -18,7 +18,7 @@ std::vector<double> drawn(const std::string& from, const std::string& to) {
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const std::string text = content_of(folder.path() / "out" / "film.svg");
-  const std::regex number("[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)");
+  const std::regex number(R"([-+]?([0-9]+\.?[0-9]*|\.[0-9]+))");
   std::vector<double> all;
   for (std::sregex_iterator found(text.begin(), text.end(), number), none; found != none; ++found)
     all.push_back(std::stod(found->str()));
