@@ -179,9 +179,8 @@ void note_scene(Program& program, const Scene& scene, const Moving<Box>& moving)
 // ... of what the camera sees of it ...
 void note_camera(Program& program, const Box& box) {
   const box_chapter::Seen seen = box_chapter::seen(box);
-  const std::array<std::string, 6> planes{"left", "right", "lower", "upper", "near", "far"};
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    program.result("/camera/highest/" + planes[i], seen.highest[i]);
+  for (std::size_t i = 0; i < seen.highest.size(); ++i)
+    program.result(std::string("/camera/highest/") + box_chapter::plane_names[i], seen.highest[i]);
   program.result("/camera/rejected", seen.rejected);
 }
 

@@ -9,7 +9,10 @@ namespace box_chapter {
 /// A camera at the origin that looks along x, with z upwards.
 first_contact::Transform camera();
 
-/// How a box lies to the six planes of that camera's frustum: left, right, bottom, top, near, far.
+/// The planes of its frustum, as results name them.
+inline constexpr std::array<const char*, 6> plane_names{"left", "right", "lower", "upper", "near", "far"};
+
+/// How a box lies to these planes.
 struct Seen {
   std::array<double, 6> distance;  ///< E.Q
   std::array<double, 6> radius;    ///< r_eff

@@ -9,8 +9,6 @@ using touch::tell;
 
 namespace {
 
-constexpr const char* names[] = {"left", "right", "lower", "upper", "near", "far"};
-
 void tell_drawing(const Box& box) {
   const Transform camera = box_chapter::camera(), back = camera.inverse();
   std::vector<double> corners, vertices, planes;
@@ -34,7 +32,7 @@ FOR_THE_PAGE(frustum)
   const Box box{{x, y, 0}, {rx, ry, 0}, {sx, sy, 0}, {0, 0, 0.8}};
   const box_chapter::Seen seen = box_chapter::seen(box);
   for (std::size_t i = 0; i < seen.highest.size(); ++i)
-    tell(std::string("camera/highest/") + names[i], seen.highest[i]);
+    tell(std::string("camera/highest/") + box_chapter::plane_names[i], seen.highest[i]);
   touch::tell_whether("camera/rejected", seen.rejected);
   tell("drawn/worst", static_cast<double>(seen.worst()));
   tell_drawing(box);

@@ -1,5 +1,6 @@
 // Chapter 2: a box that is turned above a floor: three bars reach twice as high as its effective radius; it lands on a
 // vertex, an edge or a face.
+import {threes} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
 const view = {left: -3.6, right: 3.6, bottom: -1.1, top: 3.6};
@@ -9,7 +10,6 @@ const kinds = ['red', 'green', 'pink'], letters = ['R', 'S', 'T'];
 
 // As one sees it from the front and a little from above and the left.
 const seen = ([x, y, z]) => [x + 0.35 * y, z + 0.22 * y];
-const threes = (list) => list.flatMap((x, i) => i % 3 ? [] : [[x, list[i + 1], list[i + 2]]]);
 const depth = (corners) => corners.reduce((sum, [, y, z]) => sum + y - 0.3 * z, 0);
 
 // The axes of a box that is turned first about x, then about y; in degrees.

@@ -1,10 +1,9 @@
 // Chapter 7: the curve of four control points, by cutting corners; by its parameter, or by its length.
+import {pairs} from '../core/lists.js';
 import {number, place, shown, toggle} from '../core/state.js';
 
 const view = {left: -0.8, right: 8.8, bottom: -0.9, top: 4.9};
 const anywhere = {least: [-0.6, -0.6], most: [8.6, 4.6]};
-
-const pairs = (numbers) => numbers.flatMap((x, i) => i % 2 ? [] : [[x, numbers[i + 1]]]);
 
 // Four points, three, two and one.
 function levelsOf(numbers) {

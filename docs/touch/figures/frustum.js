@@ -1,11 +1,10 @@
 // Chapter 2: a plank before a camera, as seen from above: how far it is before or behind each plane of the frustum.
+import {pairs} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
 const view = {left: -0.6, right: 9, bottom: -3.8, top: 4.8};
 const size = [0.25, 3];  // of R and S, which are level; T stands upright
 const sides = ['left', 'right', 'lower', 'upper', 'near', 'far'];
-
-const pairs = (numbers) => numbers.flatMap((x, i) => i % 2 ? [] : [[x, numbers[i + 1]]]);
 
 function axes({turn}) {
   const angle = turn * Math.PI / 180, [c, s] = [Math.cos(angle), Math.sin(angle)];

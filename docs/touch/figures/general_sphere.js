@@ -1,11 +1,9 @@
 // Chapter 4: a ball against a solid with corners: its surface moved out, the feature met first, and the paper's cylinders.
+import {flat, pairs} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
 const view = {left: -3.7, right: 3.9, bottom: -2.1, top: 2.9};
 const anywhere = {least: [-3.2, -2], most: [3.2, 2.8]};
-
-const flat = ([x, , z]) => [x, z];
-const pairs = (list) => list.flatMap((x, i) => i % 2 ? [] : [[x, list[i + 1]]]);
 
 // The side or the corner that is touched; of each side there are two triangles.
 function touched(pen, corners, {feature, triangle, point}) {

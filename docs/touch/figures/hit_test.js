@@ -1,9 +1,9 @@
 // Chapter 3: a leaf, a hook and a pointer: boxes against boxes, shapes against shapes, and a ray that counts its crossings.
+import {pairs} from '../core/lists.js';
 import {place} from '../core/state.js';
 
 const view = {left: -1.2, right: 6.2, bottom: -1, top: 4.6};
 
-const pairs = (numbers) => numbers.flatMap((x, i) => i % 2 ? [] : [[x, numbers[i + 1]]]);
 const cornersOf = ([left, low, right, high]) => [[left, low], [right, low], [right, high], [left, high]];
 
 // The arrow of a mouse, its tip at a point.

@@ -1,11 +1,11 @@
 // Chapter 6: two moving balls, and beside them what is seen from Q: a point that moves with u, past a ball of radius d.
+import {flat} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
 const world = {left: -5, right: 4, bottom: -2, top: 4.6};
 const relative = {left: -6, right: 3, bottom: -4.3, top: 2.3};
 const anywhere = {least: [-4.8, -1.8], most: [3.8, 4.4]};
 
-const flat = ([x, , z]) => [x, z];
 const along = (from, way, t) => [from[0] + t * way[0], from[1] + t * way[1]];
 
 function drawWorld(pen, {p1, p2, q1, q2, rp, rq}, {contact, drawn}, words) {

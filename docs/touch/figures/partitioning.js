@@ -1,10 +1,9 @@
 // Chapter 3: a ball that rolls among walls: what of a quadtree, a BSP tree or a tree of boxes does the search go into?
+import {pairs} from '../core/lists.js';
 import {choice, number, place, shown} from '../core/state.js';
 
 const view = {left: -0.3, right: 6.7, bottom: -0.3, top: 6.2};
 const trees = ['octree', 'bsp', 'bvh'];
-
-const pairs = (numbers) => numbers.flatMap((x, i) => i % 2 ? [] : [[x, numbers[i + 1]]]);
 
 // The parts of the plane that the tree makes: a row of numbers as api/partitioning.cpp writes it.
 function partsOf(numbers) {

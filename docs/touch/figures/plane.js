@@ -1,4 +1,5 @@
 // Chapter 1: a ball, a floor through P and Q, and the floor raised by the radius; what frames see; a normal of another length.
+import {flat} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
 const view = {left: -2.6, right: 2.6, bottom: -0.7, top: 2.95};
@@ -15,7 +16,6 @@ function ends({drawn: {normal: [a, , c], offset}}, distance) {
   return [-9, 9].map((along) => [foot[0] + along * c, foot[1] - along * a]);
 }
 
-const flat = ([x, , z]) => [x, z];
 const centers = ({drawn: {centers: list}}) => list.flatMap((x, i) => i % 3 ? [] : [[x, list[i + 2]]]);
 
 // The frames of a film: rings, the first in which the two overlap stronger.

@@ -1,12 +1,10 @@
 // Chapter 5: a ball slides along the ground and a second wall: the ways that it might go, and wall after wall.
+import {flat, listed} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
 const view = {left: -3.4, right: 3.6, bottom: -1.1, top: 3.1};
 const anywhere = {least: [-3.2, -0.9], most: [3.4, 2.9]};
 const foot = [1, 0];  // of the second wall
-
-const flat = ([x, , z]) => [x, z];
-const listed = (list) => Object.values(list ?? {});
 
 function drawPath(pen, positions, radius) {
   const places = positions.map(flat), end = places.at(-1);

@@ -1,10 +1,10 @@
 // Chapter 5: a ball is steered over a terrain, and slides along what it meets; it stands in the middle of the picture.
+import {listed} from '../core/lists.js';
 import {exact, number, place, shown} from '../core/state.js';
 
 const view = {left: -9, right: 9, bottom: -5, top: 5.4};
 const larger = 5;  // so many times as long are the arrows of a step
 
-const listed = (list) => Object.values(list ?? {});
 const points = (list) => list.map(shown).join(', ');
 const along = (from, way, count) => from.map((each, i) => each + count * way[i]);
 const way = (from, to) => to.map((each, i) => each - from[i]);
