@@ -132,8 +132,8 @@ export const words = {
   'from-afar': {
     title: 'A ball that comes from afar at a vertex, in floats and in doubles',
     caption: `<b>To touch.</b> Send the ball from ever farther away, in powers of ten, and aim it beside the vertex. Green is where it touches;
-      pink where the root as multiplied out puts it in floats, in which most games compute: &minus;<i>b</i> and √Δ are then two giants that
-      differ in their rounding alone.`,
+      pink where the root as multiplied out puts it in floats, in which most games compute: Δ is the difference of two giants,
+      <i>b</i>² and <i>a</i> <i>c</i>, and from far away nothing of it is left but their rounding.`,
     power: {html: 'from 10<sup><i>x</i></sup> radii', spoken: 'power of ten of the distance, in radii'},
     beside: {html: 'aimed beside', spoken: 'how far beside the vertex it is aimed, in radii'},
     minusB: '&minus;<i>b</i>, float', root: '√Δ, float', floatPrinted: '<i>t</i>, float',
