@@ -12,6 +12,8 @@
 #include "first_contact/trees/bsp_tree.hpp"
 #include "grown_planes.hpp"
 #include "measure.hpp"
+#include "plain_bsp.hpp"
+#include "plain_octree.hpp"
 #include "plain_tree.hpp"
 #include "room.hpp"
 #include "stage.hpp"
@@ -30,7 +32,7 @@ constexpr std::size_t flight_count = 100;
 //! [costs]
 struct Costs {
   Cost octree, bsp, bvh, brute_force;
-  std::size_t objects, plain_tests;
+  std::size_t objects, plain_tests, plain_octree_loses;
 
   Costs(const std::vector<Triangle>& triangles, std::uint64_t seed) : objects(triangles.size()) {
     const Soup<Octree> in_octree(triangles);
@@ -40,6 +42,7 @@ struct Costs {
     bvh = measure(Soup<BoxTree>(triangles), balls);
     brute_force = measure(Soup<BruteForce>(triangles), balls);
     plain_tests = partitioning_chapter::plain_tests(triangles, balls);
+    plain_octree_loses = partitioning_chapter::plain_octree_loses(triangles, balls, brute_force.contacts);
   }
   bool agree() const {
     return same_contacts(octree, brute_force) && same_contacts(bsp, brute_force) &&
@@ -180,6 +183,7 @@ void tell_grown_planes(Program& program) {
 void note_costs(Program& program, const Costs& costs, const std::vector<Triangle>& triangles) {
   program.value("all_tests", static_cast<double>(costs.brute_force.tests));
   program.value("plain_tests", costs.bvh.per_flight(costs.plain_tests));
+  program.value("plain_octree_loses", static_cast<double>(costs.plain_octree_loses));
   const double pieces = static_cast<double>(BspTree(triangles).order().size());
   program.value("pieces", pieces / std::max<double>(1, static_cast<double>(costs.objects)));
   program.value("octree_node", sizeof(Octree::Node));
@@ -200,12 +204,18 @@ void note_depths(Program& program, std::uint64_t seed) {
 }
 
 void note_faults(Program& program, std::uint64_t seed) {
+  const auto room = shards(1000, Spread::even, seed);
   std::vector<Bounds> boxes;
-  for (const Triangle& shard : shards(1000, Spread::even, seed)) boxes.push_back(bounds_of(shard));
+  for (const Triangle& shard : room) boxes.push_back(bounds_of(shard));
   const Pairs pairs = overlapping_pairs(boxes);
   program.value("pairs.all", static_cast<double>(pairs.all));
   program.value("pairs.found", static_cast<double>(pairs.in_one_leaf));
   program.value("pairs.lost", static_cast<double>(pairs.all - pairs.in_one_leaf));
+  const auto plain = partitioning_chapter::plain_bsp_costs(
+      room, flights(flight_count, bounds_of(std::span<const Bounds>(boxes)), seed + 1));
+  program.value("plain_bsp.kept", static_cast<double>(plain.kept) / static_cast<double>(room.size()));
+  program.value("plain_bsp.depth", static_cast<double>(plain.depth));
+  program.value("plain_bsp.per_flight", static_cast<double>(plain.found) / flight_count);
 }
 //! [notes]
 

@@ -21,8 +21,8 @@ PlainTree plain_tree(std::span<const Bounds> all, std::vector<std::size_t> thing
   std::nth_element(things.begin(), middle, things.end(), [&](std::size_t a, std::size_t b) {
     return middle_of(all[a])[axis] < middle_of(all[b])[axis];
   });
-  tree.halves.push_back(plain_tree(all, {things.begin(), middle}));
-  tree.halves.push_back(plain_tree(all, {middle, things.end()}));
+  tree.parts.push_back(plain_tree(all, {things.begin(), middle}));
+  tree.parts.push_back(plain_tree(all, {middle, things.end()}));
   return tree;
 }
 //! [plain_cut]
@@ -32,8 +32,8 @@ std::vector<std::size_t> plain_search(const PlainTree& tree, const Moving<Sphere
   const auto& [center, radius] = ball.shape;
   if (!passage(center, ball.displacement, grown(tree.box, radius), {0, 1})) return {};
   std::vector<std::size_t> found = tree.things;
-  for (const PlainTree& half : tree.halves)
-    for (const std::size_t thing : plain_search(half, ball)) found.push_back(thing);
+  for (const PlainTree& part : tree.parts)
+    for (const std::size_t thing : plain_search(part, ball)) found.push_back(thing);
   return found;
 }
 //! [plain_search]

@@ -8,20 +8,21 @@
 #include "first_contact/geometry/triangle.hpp"
 #include "first_contact/sweep/moving.hpp"
 
-/// A tree of boxes, as one writes it first: the list is cut in half, and all that the ball could reach is found.
+/// Trees of boxes, as one writes them first: the box of a node is cut into parts, or its list of things is,
+/// and all that the ball could reach is found.
 
 namespace partitioning_chapter {
 
 //! [plain_tree]
-/// A box about some things: a few, or two halves of many.
+/// A box with a few things, or with parts of its own kind.
 struct PlainTree {
   first_contact::Bounds box;
   std::vector<std::size_t> things;  // of a leaf: their numbers
-  std::vector<PlainTree> halves;    // of any other
+  std::vector<PlainTree> parts;     // of any other
 };
 //! [plain_tree]
 
-/// The tree of those of the things that are named by their numbers.
+/// A BVH of those of the things that are named by their numbers: the list is cut in half.
 PlainTree plain_tree(std::span<const first_contact::Bounds> all, std::vector<std::size_t> things);
 
 /// The numbers of all things in those leaves that the ball reaches.

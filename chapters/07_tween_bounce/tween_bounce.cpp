@@ -5,15 +5,12 @@
 
 #include "bent.hpp"
 #include "figures/figures.hpp"
-#include "film/read_film.hpp"
 #include "film/run.hpp"
-#include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/program/numbers.hpp"
 #include "first_contact/program/program.hpp"
-#include "first_contact/sweep/sphere_plane.hpp"
 #include "flight.hpp"
 #include "mistakes.hpp"
-#include "plain_sweep_along.hpp"
+#include "plain_told.hpp"
 #include "with_digits.hpp"
 
 using namespace first_contact;
@@ -190,14 +187,7 @@ void note(Program& program, const Scene& scene, const PrintedMotion& motion, con
     const double up = scene.restitution * scene.v0 - 6.0 / 5 * scene.g * motion.hits.front().time;
     program.value("apex_height_by_formula", up * up / (2 * 6.0 / 5 * scene.g));
   }
-  const auto film = tween_bounce::film_named("hall").keys;
-  const Curve first_curve = film[1].path.from_to(film[1].place, film[2].place);
-  program.value("chords", chords(first_curve, 1e-6).size() - 1);
-  const Plane floor({0, 0, 1}, 0);
-  for (const int n : {4, 16})
-    program.value("plain_" + std::to_string(n),
-                  tween_bounce::plain_sweep_along(first_curve, 0.5, floor, n).value());
-  program.value("along", sweep_along(first_curve, 0.5, floor, 1e-8)->time);
+  tween_bounce::note_plain(program);
   for (std::size_t n = 1; n <= 3; ++n) {
     const auto landing = bounce.impact(n);
     const auto apex = bounce.apex(n);

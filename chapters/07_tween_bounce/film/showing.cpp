@@ -26,24 +26,6 @@ RigidTween poses_of(const Film& film) {
   return RigidTween(std::move(poses));
 }
 
-Tween places_of(const Film& film) {
-  std::vector<KeyFrame> keys;
-  for (const FilmKey& key : film.keys) keys.push_back({key.time, key.place, key.easing, key.path});
-  return Tween(std::move(keys));
-}
-
-//! [first_of_all]
-// The first contact with all that is in the way: of equal ones, with what the film names first.
-std::optional<Contact> first_of_all(const std::vector<Wall>& walls, const Moving<Sphere>& moving) {
-  std::optional<Contact> first;
-  for (const Wall& wall : walls) {
-    auto contact = std::visit([&](const auto& obstacle) { return sweep(moving, obstacle); }, wall);
-    if (contact && (!first || contact->time < first->time)) first = std::move(contact);
-  }
-  return first;
-}
-//! [first_of_all]
-
 double largest_of(const std::vector<Wall>& walls) {
   double largest = 0;
   for (const Wall& wall : walls)
@@ -80,6 +62,23 @@ void must_not_jump(const RigidTween& poses, double time) {
 }
 
 }  // namespace
+
+Tween places_of(const Film& film) {
+  std::vector<KeyFrame> keys;
+  for (const FilmKey& key : film.keys) keys.push_back({key.time, key.place, key.easing, key.path});
+  return Tween(std::move(keys));
+}
+
+//! [first_of_all]
+std::optional<Contact> first_of_all(const std::vector<Wall>& walls, const Moving<Sphere>& moving) {
+  std::optional<Contact> first;
+  for (const Wall& wall : walls) {
+    auto contact = std::visit([&](const auto& obstacle) { return sweep(moving, obstacle); }, wall);
+    if (contact && (!first || contact->time < first->time)) first = std::move(contact);
+  }
+  return first;
+}
+//! [first_of_all]
 
 //! [showing]
 Showing::Showing(const Film& film) : poses_(poses_of(film)), keys_(film.keys) {

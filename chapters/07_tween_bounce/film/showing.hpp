@@ -37,6 +37,13 @@ class Showing {
   std::optional<double> stopped_;  // from when on nothing changes any more
 };
 
+/// The first contact with all that is in the way: of equal ones, with what the film names first.
+std::optional<first_contact::Contact> first_of_all(
+    const std::vector<Wall>& walls, const first_contact::Moving<first_contact::Sphere>& moving);
+
+/// The places of a film's keys, as a tween.
+first_contact::Tween places_of(const Film& film);
+
 /// The times of the pictures from `begin` to `end`: so many a second, and the last one at the end.
 /// \throws std::invalid_argument if they are more than `most_frames`.
 std::vector<double> picture_times(double begin, double end, double per_second);

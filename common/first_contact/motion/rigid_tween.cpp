@@ -53,6 +53,7 @@ RigidTween::RigidTween(std::vector<Pose> poses) : poses_(std::move(poses)) {
 
 namespace {
 
+//! [slerp]
 // The shorter way from a to b at constant speed, both of length 1 (Shoemake 1985). Where they are so near to
 // each other that the angle has no digits left, it is straight.
 Quaternion turned_part_of_way(const Quaternion& a, const Quaternion& b, double part) {
@@ -65,6 +66,7 @@ Quaternion turned_part_of_way(const Quaternion& a, const Quaternion& b, double p
   const double of_to = shorter * std::sin(part * angle) / std::sin(angle);
   return Quaternion(Homogeneous(of_from * from + of_to * to));
 }
+//! [slerp]
 
 }  // namespace
 
