@@ -2,8 +2,11 @@
 
 #include "film/read_film.hpp"
 #include "film/showing.hpp"
+#include "first_contact/motion/arc_length.hpp"
 #include "first_contact/motion/sweep_along.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
+#include "flight.hpp"
+#include "plain_length.hpp"
 #include "plain_play.hpp"
 #include "plain_slerp.hpp"
 #include "plain_sweep_along.hpp"
@@ -25,6 +28,13 @@ void note_chords(Program& program, const Film& film) {
   program.value("along", sweep_along(first_curve, 0.5, floor, 1e-8)->time);
 }
 
+// How much the sum of chords is short of the arch.
+void note_length(Program& program) {
+  const double length = ArcLength(arch()).total();
+  for (const int n : {100, 1000})
+    program.value("short_" + std::to_string(n), length - plain_length(arch(), n));
+}
+
 // Where the ball is at last, played picture by picture, with the restitution that the film has.
 void note_play(Program& program, const Film& film) {
   const auto meets = [&](const Moving<Sphere>& moving) { return first_of_all(film.walls, moving); };
@@ -40,6 +50,7 @@ void note_play(Program& program, const Film& film) {
 void note_plain(Program& program) {
   const Film film = film_named("hall");
   note_chords(program, film);
+  note_length(program);
   note_play(program, film);
   program.value("lost_at_rest", lost_at_rest(1000));
 }

@@ -1,10 +1,12 @@
 // The tweens that the essays write first, some ten lines each: that they are right, and what breaks them.
 #include <cmath>
 
+#include "07_tween_bounce/plain_length.hpp"
 #include "07_tween_bounce/plain_play.hpp"
 #include "07_tween_bounce/plain_slerp.hpp"
 #include "07_tween_bounce/plain_sweep_along.hpp"
 #include "catch.hpp"
+#include "first_contact/motion/arc_length.hpp"
 #include "first_contact/motion/play.hpp"
 #include "first_contact/motion/rigid_tween.hpp"
 #include "first_contact/program/random.hpp"
@@ -89,4 +91,15 @@ TEST_CASE(
   CHECK(error(60) > 0.03);
   CHECK(error(7) > 2 * error(60));
   CHECK(error(100000) < 1e-4);
+}
+
+TEST_CASE(
+    "The length as one writes it first is always short, and ten times the chords give two digits more") {
+  const Curve arch = Bezier({{0, 0, 0}, {1, 0, 4}, {3, 0, 4}, {9, 0, 0}});
+  const double length = ArcLength(arch).total();
+  const auto lacks = [&](int chords) { return length - tween_bounce::plain_length(arch, chords); };
+  CHECK(lacks(10) > 0);
+  CHECK(lacks(10) / lacks(100) == Approx(100).epsilon(0.05));
+  CHECK(lacks(100) / lacks(1000) == Approx(100).epsilon(0.01));
+  CHECK(tween_bounce::plain_length(Bezier({{0, 0, 0}, {3, 4, 0}}), 7) == Approx(5));
 }
