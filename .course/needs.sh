@@ -28,7 +28,7 @@ packages() {
     "debian notes") echo doxygen doxygen-awesome-css fonts-texgyre clang lld wasi-libc libc++-dev-wasm32 \
         libclang-rt-dev-wasm32 ;;
     "debian node") echo nodejs npm ;;
-    "debian browser") ! grep -qx 'ID=debian' "$os_release" || echo chromium ;;  # Ubuntu's is no package of apt-get's
+    "debian browser") ! grep -qx 'ID=debian' "$os_release" || echo chromium-headless-shell ;;  # Ubuntu's is no package of apt-get's
     "debian print") echo poppler-utils fonts-arphic-uming ;;
     "debian bench") echo libbenchmark-dev libbullet-dev libfcl-dev libembree-dev ;;
     "debian coverage") echo gcovr ;;
@@ -190,7 +190,7 @@ has_notes_tools() {
 require_notes_and_browser() {
   local name
   [[ -z "${CHROMIUM:-}" ]] || { require_notes "$@"; return; }
-  for name in chromium chromium-browser google-chrome; do
+  for name in chromium-headless-shell chromium chromium-browser google-chrome; do
     ! command -v "$name" >/dev/null || { require_notes "$@"; return; }
   done
   require_notes browser "$@"

@@ -1,6 +1,6 @@
 // All checks of the notes, each in a file of its own under docs/checks. Exit status 1 and a line for each fault.
 //   node docs/check.mjs [NAME ...]     one or more of twice, essays, words, names, code, paper, links, editions, browser, touch,
-//   print; without a name all but print
+//   print; without a name all but print, and `browser` then looks at every page
 // `twice` builds the book; the others look at what was built, `print` at what ./course notes --pdf has made.
 import {checkBrowser} from './checks/browser.mjs';
 import {checkCode} from './checks/code.mjs';
@@ -27,7 +27,7 @@ for (const name of wanted)
 for (const [name, check] of Object.entries(all)) {
   if (wanted.length ? !wanted.includes(name) : name === 'print') continue;
   const before = complaints.length;
-  const said = await check();
+  const said = await check({everyOne: !wanted.length});
   console.log(`${name}: ${said}${complaints.length > before ? `; ${complaints.length - before} faults` : ''}`);
 }
 stopIfWrong('checking the notes');

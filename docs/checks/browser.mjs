@@ -1,12 +1,12 @@
-// Every page in a headless Chromium, light and dark, wide and narrow: no request leaves the machine, no error on the
-// console, no formula in error, nothing wider than its page, text and figures' letters large and with contrast enough (WCAG AA);
-// and by the keyboard alone.
+// Every page in a headless Chromium, the book's light and dark, wide and narrow: no request leaves the machine, no error on
+// the console, no formula in error, nothing wider than its page, text and figures' letters large and with contrast enough
+// (WCAG AA); and by the keyboard alone.
 import {basename} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chapters, complain, filesBelow, html, otherPages} from '../tools/book.mjs';
 import {openBrowser, openTab} from './browsing.mjs';
 
-const views = [['light', 1280, 900], ['dark', 1280, 900], ['light', 390, 800]];
+const wide = {width: 1280, height: 900}, phone = {width: 390, height: 800};
 const keyboard = new Set(['index.html', 'plane.html', 'tween-bounce.html', 'library-motion.html']);  // one of each kind
 const isOurs = (file) => file.endsWith('.html') && !file.includes('/search/');
 
@@ -130,33 +130,48 @@ async function faultsOfKeyboard(page) {
   return faults;
 }
 
-// One tab a view, that visits page after page; what it hears is about the page that is open.
+// A tab that visits page after page; what it hears is about the page that is open. A page's colours are changed while it is
+// open, as its reader's machine does at sunset.
 // Motion is reduced: where the focus is after a key does not depend on how far a smooth scroll has come.
-async function openVisitor(browser, [colorScheme, width, height]) {
+async function openVisitor(browser, viewport) {
   let name = '';
-  const page = await openTab(browser, {colorScheme, reducedMotion: 'reduce', viewport: {width, height}}, () => name);
-  return async (file, wholeBook) => {
-    name = `${basename(file)} (${colorScheme}, ${width})`;
-    await page.goto(pathToFileURL(file).href);
+  const page = await openTab(browser, {colorScheme: 'light', reducedMotion: 'reduce', viewport}, () => name);
+  const look = async (title, wholeBook) => {
+    name = title;
     for (const faults of [faultsOfParts, faultsOfLetters, faultsOfContrast, faultsOfNames])
       for (const fault of await page.evaluate(faults, wholeBook)) complain(name, fault);
-    if (wholeBook && colorScheme === 'light' && keyboard.has(basename(file))) for (const fault of await faultsOfKeyboard(page)) complain(`${name}, keyboard`, fault);
+  };
+  return async (file, wholeBook) => {
+    const title = basename(file);
+    name = title;
+    await page.emulateMedia({colorScheme: 'light'});
+    await page.goto(pathToFileURL(file).href);
+    await look(`${title} (light, ${viewport.width})`, wholeBook);
+    if (!wholeBook || viewport !== wide) return;
+    if (keyboard.has(title)) for (const fault of await faultsOfKeyboard(page)) complain(`${name}, keyboard`, fault);
+    await page.emulateMedia({colorScheme: 'dark'});
+    await look(`${title} (dark, ${viewport.width})`, wholeBook);
   };
 }
 
-export async function checkBrowser() {
+// Doxygen's lists of names are all alike: of each kind one in so many is looked at, unless all are wanted.
+const lists = /(-members|^functions.*|^dir_.*|^globals.*)\.html$/, oneIn = 8;
+
+function pagesToVisit(everyOne) {
+  const pages = filesBelow(html, isOurs), isList = (file) => lists.test(basename(file));
+  return [...pages.filter((file) => !isList(file)), ...pages.filter(isList).filter((_, i) => everyOne || i % oneIn === 0)];
+}
+
+export async function checkBrowser({everyOne = false} = {}) {
   const browser = await openBrowser();
   if (!browser) return 'not run';
-  const book = new Set([...chapters, ...otherPages].map(({page}) => page));
-  const pages = filesBelow(html, isOurs);
-  // A page is mostly waited for: several tabs of each view take the next one from a common list.
-  const tabs = views.flatMap((view, i) => {
-    const left = pages.filter((file) => i === 0 || book.has(basename(file)));
-    return Array.from({length: i === 0 ? 4 : 2}, () => ({view, left}));
-  });
-  await Promise.all(tabs.map(async ({view, left}) => {
-    const visit = await openVisitor(browser, view);
-    for (let file; (file = left.shift());) await visit(file, book.has(basename(file)));
+  const book = new Set([...chapters, ...otherPages].map(({page}) => page)), isBook = (file) => book.has(basename(file));
+  const pages = pagesToVisit(everyOne);
+  // Loading a page is half waiting: two tabs for either width take the next one from a common list.
+  const lefts = [[wide, pages.slice()], [phone, pages.filter(isBook)]];
+  await Promise.all(lefts.flatMap((left) => [left, left]).map(async ([viewport, left]) => {
+    const visit = await openVisitor(browser, viewport);
+    for (let file; (file = left.shift());) await visit(file, isBook(file));
   }));
   await browser.close();
   return `${pages.length} pages`;
