@@ -6,6 +6,7 @@
 
 #include "catch.hpp"
 #include "first_contact/motion/css_easing.hpp"
+#include "first_contact/motion/easing_family.hpp"
 #include "first_contact/motion/squash.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_plane.hpp"
@@ -113,6 +114,23 @@ TEST_CASE("A curved path bounces as a curve, and comes down on the floor where i
   for (int i = 0; i <= 1000; ++i) CHECK(played.at(i / 1000.0).z() >= 1 - 1e-7);
   CHECK(is_near(played.at(0.5), {3, 0, 1 + 0.5 * (1 - arc.at(0.5).z())}, 1e-7));
   CHECK(is_near(played.at(1), {6, 0, 1 + 0.25 * 4}, 1e-7));
+}
+
+TEST_CASE(
+    "Beyond its end a curve goes on as it bends, or at constant speed straight on, and is thrown back so") {
+  // x = 4 u and z = 1 + (3 - 2 u)(1 + 2 u) / 2: the ball comes down behind u = 1.
+  const bool by_length = GENERATE(false, true);
+  const Easing beyond = ease::out(ease::back(10));
+  const Tween tween({{0, {0, 0, 2.5}, beyond, Path::bezier({{2, 0, 3.5}}, by_length)}, {1, {4, 0, 2.5}}});
+  const Played played = play(tween, 1, ground, After::bounce(1, 0.25));
+  REQUIRE(!played.contacts().empty());
+  const Point touching = tween.at(played.contacts()[0].time);
+  CHECK(is_near(touching, {by_length ? 7.0 : 6.0, 0, 1}, 1e-6));
+  const double slope = by_length ? 0.5 : 1,
+               farthest = beyond.turns()[0];  // by friction half of the slope is lost
+  const Point there = tween.at(farthest), after = played.at(farthest);
+  CHECK(after.x() == Approx(touching.x() + (1 - 0.5 * slope) * (there.x() - touching.x())).epsilon(1e-6));
+  CHECK(after.z() == Approx(2 - there.z()).epsilon(1e-6));
 }
 
 TEST_CASE("In a corner a slide goes along the floor up to the wall, and stays there") {

@@ -22,7 +22,9 @@ Vector direction_at(const Tween& tween, double time) {
   const auto now =
       std::find_if(ways.begin(), ways.end(), [&](const OneWay& way) { return time < way.to_time; });
   const OneWay& way = now != ways.end() ? *now : ways.back();
-  const double u = std::clamp(leg.parameter(timing.part_at(time)), 0.0, 1.0);
+  const double place = leg.parameter(timing.part_at(time));
+  // Beyond its ends a path at constant speed goes straight on, and another one as it bends.
+  const double u = leg.by_length() ? std::clamp(place, 0.0, 1.0) : place;
   const Vector forwards = normalized(first_contact::at(derivative(leg.curve()), u));
   return way.from_part <= way.to_part ? forwards : Vector(-forwards);
 }
