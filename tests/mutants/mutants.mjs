@@ -114,7 +114,7 @@ class Workshop {
   }
   async open() {
     copyProject(this.folder);
-    const set = ['-G', 'Ninja', '-DCMAKE_BUILD_TYPE=', '-DCMAKE_CXX_FLAGS=-O1', '-DBUILD_SHARED_LIBS=ON',
+    const set = ['-G', 'Ninja', '-DCMAKE_BUILD_TYPE=', '-DCMAKE_CXX_FLAGS=-O2', '-DBUILD_SHARED_LIBS=ON',
                  '-DCMAKE_LINK_DEPENDS_NO_SHARED=ON'];
     if (await run(this.folder, 'cmake', ['-S', '.', '-B', 'build', ...set], secondsToBuild) !== 'ok')
       throw new Error(`${this.folder}: the project as it is cannot be configured`);

@@ -1,6 +1,7 @@
 #include "first_contact/pairs/first_contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -171,4 +172,50 @@ TEST_CASE("The tests grow like n log n, also with one sphere as large as all spa
     CHECK(static_cast<double>(counted.sweeps) < 6 * n);
     CHECK(static_cast<double>(counted.pieces) <= 17 * n);
   }
+}
+
+TEST_CASE("Of slow, fast and flat crowds no more is cut, tested and swept than was", "[first_contacts]") {
+  struct Scene {
+    double radius, speed, height;  // of a layer, in terms of its width
+    std::array<double, 3> expected;
+  };
+  for (const Scene& scene :
+       {Scene{0.3, 0.1, 1, {2000, 27075, 425}}, Scene{0.05, 30, 1, {24831, 1004229, 37841}},
+        Scene{0.3, 2, 0.01, {5371, 366234, 65398}}, Scene{0.3, 2, 50, {4428, 122057, 5985}}}) {
+    Chance chance(10);
+    Balls balls = gas(chance, 2000, scene.radius, scene.speed);
+    for (auto& ball : balls) ball.shape.center.z() *= scene.height, ball.displacement.z() *= scene.height;
+    PairStatistics counted;
+    first_contacts(balls, &counted);
+    const std::array<std::size_t, 3> work{counted.pieces, counted.boxes, counted.sweeps};
+    CAPTURE(scene.speed, scene.height, work);
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(std::abs(static_cast<double>(work[i]) - scene.expected[i]) <= 0.005 * scene.expected[i]);
+  }
+}
+
+TEST_CASE("Balls that graze each other along an axis, while both fly far, are those of brute force",
+          "[first_contacts]") {
+  // Their boxes then share no more than what rounding leaves: the boxes' margins alone find them.
+  std::size_t contacts = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    Chance chance(seed);
+    const double away = chance.log_uniform(1e-3, 1e3), fast = chance.log_uniform(1e-3, 1e6);
+    Balls balls;
+    for (int i = 0; i < 100; ++i) {
+      const double rp = chance.uniform(0, 0.2), rq = chance.uniform(0, 0.2),
+                   depth = chance.log_uniform(1e-17, 1e-12);
+      Vector across = Vector::Zero(), u = Vector::Zero();
+      const auto axis = static_cast<Eigen::Index>(chance.pick(3));
+      across[axis] = (rp + rq) * (1 - depth) * (chance.pick(2) ? 1 : -1);
+      u[(axis + 1) % 3] = chance.uniform(0.5, 2);
+      const Point q = chance.vector(away);
+      const Vector common = chance.vector(fast);
+      balls.push_back({{q + across - chance.uniform(0, 1) * u, rp}, u + common});
+      balls.push_back({{q, rq}, common});
+    }
+    contacts += check(balls);
+  }
+  CHECK(contacts > 1000);
 }

@@ -79,6 +79,13 @@ TEST_CASE("Ends are hit exactly by arc length, and beyond them it goes straight 
   CHECK((length.at(-0.1) - Point(0, -0.1 * length.total(), 0)).norm() < 1e-12);
 }
 
+TEST_CASE(
+    "Where its end points are there twice, a curve goes straight on from the next other control point") {
+  const ArcLength length(Bezier({{0, 0, 0}, {0, 0, 0}, {0, 2, 0}, {1, 3, 0}, {4, 3, 0}, {4, 3, 0}}));
+  CHECK((length.at(1.5) - Point(4 + 0.5 * length.total(), 3, 0)).norm() < 1e-12);
+  CHECK((length.at(-0.5) - Point(0, -0.5 * length.total(), 0)).norm() < 1e-12);
+}
+
 TEST_CASE("A curve of no length stays where it is") {
   const ArcLength length(Bezier({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}));
   CHECK(length.total() == 0);

@@ -145,6 +145,12 @@ TEST_CASE("The bounding sphere of very many points of one circle is the circle's
     CHECK(bounding_sphere(points).radius == Approx(1).epsilon(1e-9));
   }
 }
+TEST_CASE("Points of one sphere, however many, do not push each other off its rim") {
+  Points ball = cloud(
+      1, 20000, {1, 1, 1});  // to go through all four of them that are said to stick out would take for ever
+  for (Point& p : ball) p.normalize();
+  CHECK(bounding_sphere(ball).radius == Approx(1).epsilon(1e-9));
+}
 TEST_CASE("Far from the origin a bounding sphere is too large by 2 eps of its largest coordinate at most") {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   for (const double far : {1.0, 1e4, 1e8, 1e12, 1e16, 1e100})

@@ -64,6 +64,11 @@ TEST_CASE("Back goes 4 s^3 / (27 (s + 1)^2) in the wrong direction, where it tur
   CHECK(ease::back(0).turns().empty());
 }
 
+TEST_CASE("Back without overshoot never turns") {
+  CHECK(ease::back(0).turns().empty());
+  CHECK(ease::back(1e-6).turns().size() == 1);
+}
+
 TEST_CASE("Elastic and exponential are Penner's but for the 2^-10 that they take off at the start") {
   CHECK(published_in_exponential(0) == 0x1p-10);  // the published one jumps from 0 to this
   at_64_times([](double t) {

@@ -36,6 +36,14 @@ TEST_CASE("Bodies that part, or slide along each other, are left alone", "[impac
   }
 }
 
+TEST_CASE("Two walls of infinite mass may slide along each other, but not meet", "[impact]") {
+  const auto after = impact<2>({INFINITY, {3, 0}}, {INFINITY, {1, 0}}, {0, 1}, 1);
+  CHECK(after.velocity_p == Vector2d(3, 0));
+  CHECK(after.velocity_q == Vector2d(1, 0));
+  CHECK_THROWS_WITH(impact<2>({INFINITY, {1, 0}}, {INFINITY, {3, 0}}, {1, 0}, 1),
+                    ContainsSubstring("at most one may be infinite"));
+}
+
 TEST_CASE("A wall of infinite mass throws a ball back and stays", "[impact]") {
   const auto after = impact<3>({2, {1, 0, -4}}, {INFINITY, {0, 0, 0}}, {0, 0, 1}, 0.75);
   CHECK(after.velocity_p == Vector(1, 0, 3));

@@ -106,6 +106,14 @@ TEST_CASE("In the middle of a box the normal is against the motion") {
   CHECK(contact->normal == z);
 }
 
+TEST_CASE(
+    "As near to two sides, and as steep on both, a sphere goes in by the side across the earlier axis") {
+  const Box cube{{0, 0, 0}, 2 * x, 2 * y, 2 * z};
+  CHECK(cast(cube, {0.5, 0.5, 0}, {0, 0, 0}, 0.125)->normal == x);
+  CHECK(cast(cube, {0, 0.5, 0.5}, {0, 0, 0}, 0.125)->normal == y);
+  CHECK(cast(cube, {0.5, 0.5, 0}, {0.25, 0, 0}, 0.125)->normal == y);  // steeper
+}
+
 TEST_CASE("A point is a sphere of radius 0: it meets the box itself") {
   const auto contact = sweep(Moving{Point(0.5, 0.25, 3), Vector(0, 0, -4)}, brick);
   REQUIRE(contact);

@@ -57,6 +57,14 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "A parabola is off its chord by n (n - 1) / 8 of its second difference: by 1/4, as it is in its middle") {
+  const Bezier parabola({{0, 0, 0}, {1, 0, 2}, {2, 0, 0}});
+  CHECK(deviation_of_chord(parabola) == 1);
+  CHECK(parabola.at(0.5) == Point(1, 0, 1));
+  CHECK(deviation_of_chord(Bezier({{0, 0, 0}, {1, 0, 2}, {2, 0, 0}, {3, 0, 2}})) == 3);
+}
+
 TEST_CASE("A corner of a B-spline is a joint of the chords") {
   const BSpline polyline({{0, 0, 5}, {1, 0, 0.5}, {2, 0, 5}}, 1);
   CHECK(chords(polyline, 1e-3) == std::vector<double>{0, 0.5, 1});

@@ -67,6 +67,21 @@ TEST_CASE("A body along a curve at constant speed that turns as it goes stops wi
   for (int i = 0; i <= 2000; ++i) CHECK(lowest_at(contact->time * i / 2000) >= 0);
 }
 
+TEST_CASE(
+    "A body that only turns touches at the same time on a path of no length, led by its length or not") {
+  std::vector<double> times;
+  for (const bool by_length : {false, true}) {
+    const Path nowhere = Path::bezier({{0, 0, 0}}, by_length);
+    const auto contact =
+        sweep(RigidTween({{0, {0, 0, 0}, about_y(-1), ease::linear, nowhere}, {1, {0, 0, 0}, about_y(1)}}),
+              brick, ground);
+    REQUIRE(contact);
+    CHECK(contact->time == Approx(0.5).margin(1e-6));
+    times.push_back(contact->time);
+  }
+  CHECK(times[0] == times[1]);
+}
+
 TEST_CASE("A thin wall is not jumped over, however fast the body spins by") {
   const Mesh wall({{5, -9, -9}, {5, 9, -9}, {5, 0, 20}}, {{0, 1, 2}});
   const RigidTween tween({{0, {0, 0, 0}, upright}, {0.001, {50, 0, 0}, about_y(3)}});

@@ -138,6 +138,15 @@ TEST_CASE("A matrix that is nearly, but truly not, singular is accepted") {
   thin.diagonal() *= 1 + 1e-7;  // the determinant is 3e-14, four times what rounding could make of it
   CHECK_NOTHROW(Transform::affine(thin));
 }
+TEST_CASE("A determinant of up to six roundings of its terms is none") {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  Eigen::Matrix3d nearly = Eigen::Matrix3d::Ones();  // in the upper left corner: of two terms, 1 + d and -1
+  nearly.row(2) = nearly.col(2).transpose() = Eigen::RowVector3d(0, 0, 1);
+  nearly(0, 0) = 1 + 11 * eps;
+  CHECK_THROWS_AS(Transform::affine(nearly), std::invalid_argument);
+  nearly(0, 0) = 1 + 13 * eps;
+  CHECK_NOTHROW(Transform::affine(nearly));
+}
 TEST_CASE("Values that are not finite are refused") {
   Matrix m = Matrix::Identity();
   m(1, 2) = std::nan("");
