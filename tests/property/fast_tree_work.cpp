@@ -37,8 +37,9 @@ Mesh hills(std::uint32_t n, double width, double roughness) {
 /// What flies: over which point, how large, from which height in radii, how steeply, how far.
 struct Flight {
   double least_radius, most_radius, least_height, most_height, least_length, most_length;
-  bool upwards = false;  // as often as down
-  double far = 0;        // so much farther from where it starts to the surface
+  bool upwards = false;    // as often as down
+  double far = 0;          // so much farther from where it starts to the surface
+  bool at_corner = false;  // over a corner of a triangle
 };
 
 std::vector<Moving<Sphere>> flights(const Mesh& mesh, const Flight& kind, std::size_t count) {
@@ -46,7 +47,7 @@ std::vector<Moving<Sphere>> flights(const Mesh& mesh, const Flight& kind, std::s
   std::vector<Moving<Sphere>> all;
   while (all.size() < count) {
     const Triangle below = mesh.triangle(chance.pick(mesh.size()));
-    const double u = chance.uniform(0, 1), v = chance.uniform(0, 1 - u);
+    const double most = kind.at_corner ? 0 : 1, u = chance.uniform(0, most), v = chance.uniform(0, most - u);
     const Point over = below.a + u * (below.b - below.a) + v * (below.c - below.a);
     const double r = chance.log_uniform(kind.least_radius, kind.most_radius);
     const double height = r * chance.uniform(kind.least_height, kind.most_height);
@@ -83,6 +84,7 @@ struct Scene {
   double width, roughness;
   Flight flight;
   Work expected;
+  std::uint32_t n = 60;  // of squares along a side
 };
 
 const std::vector<Scene> scenes{
@@ -117,13 +119,19 @@ const std::vector<Scene> scenes{
      0.1,
      {0.002, 0.1, 0, 2, 0.1, 1, false, 1e7},
      {8615, 6942, 3747}},
+    {"tiny balls that just overlap a corner",
+     1,
+     0.1,
+     {1e-6, 1e-4, 0.9, 1.1, 1e-6, 1e-4, true, 0, true},
+     {6179, 3468, 3280}},
+    {"the largest parts that have a slab", 1, 0.01, {0.002, 0.02, 1, 20, 0.02, 0.5}, {2270, 822, 658}, 16},
 };
 
 }  // namespace
 
 TEST_CASE("The floats of the fast tree leave to the doubles what they left before, no more and no less") {
   for (const Scene& scene : scenes) {
-    const Bvh tree(hills(60, scene.width, scene.roughness));
+    const Bvh tree(hills(scene.n, scene.width, scene.roughness));
     const auto all = flights(tree.mesh(), scene.flight, 1500);
     for (const bvh::Walker* walker : bvh::all_walkers()) {
       const Work work = work_of(tree, all, *walker);

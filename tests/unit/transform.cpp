@@ -1,5 +1,7 @@
 #include "first_contact/geometry/transform.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 
@@ -137,6 +139,24 @@ TEST_CASE("A matrix that is nearly, but truly not, singular is accepted") {
   Eigen::Matrix3d thin = Eigen::Matrix3d::Ones();
   thin.diagonal() *= 1 + 1e-7;  // the determinant is 3e-14, four times what rounding could make of it
   CHECK_NOTHROW(Transform::affine(thin));
+}
+TEST_CASE(
+    "Each of the 24 terms of a determinant alone makes a matrix regular, and two that cancel a singular "
+    "one") {
+  std::array<int, 4> column{0, 1, 2, 3};
+  do {
+    Matrix terms = Matrix::Zero();
+    for (int row = 0; row < 4; ++row) terms(row, column[static_cast<std::size_t>(row)]) = row + 2;
+    CAPTURE(terms);
+    CHECK_FALSE(is_singular(terms));
+    for (int row = 0; row < 4; ++row) {  // a row more: the same as that one
+      Matrix twice = terms;
+      twice.row(row) += terms.row((row + 1) % 4);
+      CHECK_FALSE(is_singular(twice));
+      twice.row((row + 1) % 4) = twice.row(row);
+      CHECK(is_singular(twice));
+    }
+  } while (std::next_permutation(column.begin(), column.end()));
 }
 TEST_CASE("A determinant of up to six roundings of its terms is none") {
   constexpr double eps = std::numeric_limits<double>::epsilon();
