@@ -11,12 +11,12 @@ namespace partitioning_chapter {
 //! [plain_octree]
 PlainTree plain_octree(std::span<const Point> places, const Bounds& cube,
                        const std::vector<std::size_t>& things, int cuts) {
-  if (things.size() <= 1 || cuts == 0) return {cube, things, {}};
+  if (things.size() <= 1 || cuts == 0) return {cube, things, {}};  // two in one place are never parted
   PlainTree tree{cube, {}, {}};
   const Point middle = middle_of(cube);
-  std::array<std::vector<std::size_t>, 8> eighths;  // x, y, z beyond the middle: bits 0, 1, 2
+  std::array<std::vector<std::size_t>, 8> eighths;
   for (const std::size_t thing : things) {
-    unsigned bits = 0;
+    unsigned bits = 0;  // one for each axis: beyond the middle?
     for (int axis = 0; axis < 3; ++axis)
       if (places[thing][axis] >= middle[axis]) bits |= 1U << axis;
     eighths[bits].push_back(thing);

@@ -17,6 +17,8 @@
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "from_afar.hpp"
 #include "jaw.hpp"
+#include "plain_edges.hpp"
+#include "plain_line.hpp"
 #include "scenes.hpp"
 #include "seam.hpp"
 
@@ -184,12 +186,25 @@ void note_faults(Program& program, const Environment& environment, const Moving<
     program.value("seam." + std::string(name) + ".missed", shots.missed);
   }
 }
+
+// What breaks that which one writes first.
+void note_plain(Program& program) {
+  const FarLines far = lines_from(1e8);
+  program.value("plain.lines_missed", static_cast<double>(far.missed) / far.lines);
+  program.value("plain.lines_missed_by_library", far.missed_by_library);
+  const TurnedSolids solids = turned_solids(100);
+  program.value("plain.seams", solids.seams);
+  program.value("plain.seams_felt", solids.seams_felt);
+  program.value("plain.corners", solids.corners);
+  program.value("plain.corners_buried", solids.corners_buried);
+}
 //! [notes]
 
 //! [studies]
 void tell_studies(Program& program, const Environment& environment, const Moving<Sphere>& moving) {
   note_features(program, environment);
   note_faults(program, environment, moving);
+  note_plain(program);
   note_accuracy(program);
 }
 //! [studies]

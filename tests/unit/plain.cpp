@@ -1,9 +1,12 @@
 // What the essays write first, some ten lines each: that it is right, and what breaks it.
 #include "02_box/plain_vertices.hpp"
+#include "04_general_sphere/plain_edges.hpp"
 #include "04_general_sphere/plain_face.hpp"
+#include "04_general_sphere/plain_line.hpp"
 #include "04_general_sphere/plain_sweep.hpp"
 #include "08_angle_demo/plain_impact.hpp"
 #include "catch.hpp"
+#include "first_contact/geometry/line_triangle.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/transform.hpp"
 #include "first_contact/program/random.hpp"
@@ -96,6 +99,74 @@ TEST_CASE("The root as one writes it first loses hits from a hundred million rad
     REQUIRE(touch_vertex({{m, 1}, v}, Point(0, 0, 0)));
   }
   CHECK(lost > 10);
+}
+
+TEST_CASE("A line through a triangle, as one writes it first, is the library's where the triangle is near") {
+  std::mt19937 random(16);
+  using program::unit_vector;
+  int met = 0;
+  for (int i = 0; i < 10000; ++i) {
+    CAPTURE(i);
+    const Vector v = unit_vector(random), a = unit_vector(random), b = unit_vector(random),
+                 c = unit_vector(random);
+    const bool meets = general_sphere_chapter::plain_line_meets(v, a, b, c);
+    REQUIRE(meets == weights_where_line_meets(v, a, b, c).has_value());
+    met += meets;
+  }
+  CHECK(met > 1000);
+  CHECK(met < 9000);
+}
+
+TEST_CASE("A line through a shared edge, as one writes it first, meets one of the triangles at least") {
+  std::mt19937 random(17);
+  using program::unit_vector;
+  for (int i = 0; i < 10000; ++i) {
+    CAPTURE(i);
+    const Vector a = unit_vector(random), b = unit_vector(random), out = unit_vector(random);
+    const Vector v = a + (0.5 + 0.4 * program::uniform(random)) * (b - a);
+    const bool left = general_sphere_chapter::plain_line_meets(v, a, b, v + out);
+    const bool right = general_sphere_chapter::plain_line_meets(v, b, a, v - out);
+    REQUIRE((left || right));
+  }
+}
+
+TEST_CASE(
+    "From a hundred million sides a line as one writes it first misses triangles, and the library's none") {
+  const auto far = general_sphere_chapter::lines_from(1e8), near = general_sphere_chapter::lines_from(10);
+  CHECK(far.missed > far.lines / 10);
+  CHECK(far.missed_by_library == 0);
+  CHECK(near.missed == 0);
+}
+
+TEST_CASE("Ridge, valley and seam as one writes them first are right for a solid that stands upright") {
+  const Vector up(0, 0, 1), right(1, 0, 0), along(0, 1, 0);
+  CHECK(general_sphere_chapter::plain_kind(up, right, along) == EdgeKind::convex);
+  CHECK(general_sphere_chapter::plain_kind(up, -right, along) == EdgeKind::concave);
+  CHECK(general_sphere_chapter::plain_kind(up, up, along) == EdgeKind::flat);
+}
+
+TEST_CASE(
+    "A buried vertex as one writes it first: in a floor, in a saddle, and not at the corner of a cube") {
+  const Vector x(1, 0, 0), y(0, 1, 0), up(0, 0, 1);
+  CHECK(general_sphere_chapter::plain_buried({x, y, -x, -y}));
+  CHECK(general_sphere_chapter::plain_buried({x + up, y - up, -x + up, -y - up}));
+  CHECK_FALSE(general_sphere_chapter::plain_buried({-x, -y, -up}));
+  CHECK_FALSE(buried_by({-x, -y, -up}));
+}
+
+TEST_CASE(
+    "A solid that is turned has seams that are felt and corners that are buried, as one writes them first") {
+  const auto solids = general_sphere_chapter::turned_solids(100);
+  CHECK(solids.seams == 900);  // so many the library finds flat: all of them
+  CHECK(solids.seams_felt > 450);
+  CHECK(solids.corners == 1000);
+  CHECK(solids.corners_buried > 200);
+}
+
+TEST_CASE("A corner of a sheet is buried as one writes it first, and not for the library") {
+  const Vector x(1, 0, 0), y(0, 1, 0);
+  CHECK(general_sphere_chapter::plain_buried({x, y}));
+  CHECK_FALSE(buried_by({x, y}));
 }
 
 TEST_CASE("The impact as one writes it first is the library's along a normal of length 1") {
