@@ -20,14 +20,9 @@ writable() {
 alone() {
   [[ -z "${FIRST_CONTACT_ALONE:-}" ]] || return 0
   writable build
-  local owner told=""
-  until mkdir build/at-work 2>/dev/null; do
-    owner=$(cat build/at-work/process 2>/dev/null || true)
-    if [[ -n "$owner" ]] && ! kill -0 "$owner" 2>/dev/null; then
-      rm -rf build/at-work
-      continue
-    fi
-    [[ -n "$told" ]] || say "Another ./course (process ${owner:-unknown}) is at work in this folder: waiting for it;"
+  local told=""
+  until mkdir build/at-work 2>/dev/null || take_over; do
+    [[ -n "$told" ]] || say "Another ./course (process $(at_work)) is at work in this folder: waiting for it;"
     [[ -n "$told" ]] || say "if there is none, remove build/at-work."
     told=yes
     sleep 1
@@ -37,6 +32,16 @@ alone() {
   trap 'exit 130' INT
   trap 'exit 143' TERM
   export FIRST_CONTACT_ALONE=yes
+}
+
+at_work() { cat build/at-work/process 2>/dev/null || echo unknown; }
+
+# Of several that find the same lock of a dead process one alone can make the folder that has its number.
+take_over() {
+  local owner
+  owner=$(at_work)
+  [[ "$owner" != unknown && -n "$owner" ]] && ! kill -0 "$owner" 2>/dev/null &&
+    mkdir "build/at-work/after-$owner" 2>/dev/null && [[ "$(at_work)" == "$owner" ]]
 }
 
 no_longer_alone() {

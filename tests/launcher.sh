@@ -111,6 +111,11 @@ mkdir -p build/dev build/at-work
 echo 999999999 >build/at-work/process
 said=$(alone; ls build)
 check "a lock that was left is taken over" says "$said" "at-work"
+mkdir -p build/at-work
+echo 999999999 >build/at-work/process
+for _ in 1 2 3 4 5 6; do (alone >/dev/null 2>&1; echo in >>turns; sleep 0.1; echo out >>turns) & done
+wait
+check "of six that find it one at a time is at work" [ "$(tr '\n' ' ' <turns)" == "$(printf 'in out %.0s' 1 2 3 4 5 6)" ]
 sleep 30 &
 other=$!
 mkdir -p build/at-work
