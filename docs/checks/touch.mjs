@@ -11,6 +11,7 @@ import {openBrowser, openTab} from './browsing.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 const seed = 20261126, states = 10;
+const alike = 0.02;  // of full brightness, on average: the edges of what is drawn twice
 
 // Numbers from 0 to 1, the same in each run (mulberry32).
 function dice(state) {
@@ -170,6 +171,48 @@ async function checkAloud(page, figure, name) {
   if (aloud !== told) complain(name, `says "${aloud}", and shows "${told}"`);
 }
 
+// In the page, before its scripts: no WebGL; or a processor that draws by it says that it is a graphics card.
+function hideGraphics() {
+  const {getContext} = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind) { return kind === '2d' ? getContext.call(this, kind) : null; };
+}
+function feignGraphics() {
+  const {getParameter} = WebGL2RenderingContext.prototype, rendererByName = 0x9246;
+  WebGL2RenderingContext.prototype.getParameter = function (name) {
+    return name === rendererByName ? 'a graphics card' : getParameter.call(this, name);
+  };
+}
+
+// In the page: what is drawn below the marks, in few pixels, by whom, and its numbers.
+function seenInSpace({figure}) {
+  figure.show();
+  const small = Object.assign(document.createElement('canvas'), {width: 64, height: 48}), paper = small.getContext('2d');
+  paper.drawImage(figure.canvas, 0, 0, 64, 48);
+  const isThree = Boolean(document.querySelector('script[src="touch-space.js"]'));
+  return {isThree, answer: JSON.stringify(figure.answer), pixels: [...paper.getImageData(0, 0, 64, 48).data]};
+}
+
+// With a graphics card and without, a figure in space answers alike, and looks alike.
+async function compareInSpace(browser, file, name) {
+  const view = {reducedMotion: 'reduce', colorScheme: 'light', viewport: {width: 1280, height: 900}};
+  const look = async (before) => {
+    const tab = await openTab(browser, view, () => `${file} ${name}`);
+    await tab.addInitScript(before);
+    await tab.goto(pathToFileURL(join(html, file)).href);
+    const figure = tab.locator(`#touch-${name}`);
+    await figure.evaluate(begun);
+    await tab.waitForFunction((id) => document.getElementById(id).figure.space, `touch-${name}`);
+    const seen = await figure.evaluate(seenInSpace);
+    await tab.close();
+    return seen;
+  };
+  const [three, flat] = [await look(feignGraphics), await look(hideGraphics)];
+  const apart = three.pixels.reduce((sum, each, i) => sum + Math.abs(each - flat.pixels[i]), 0) / three.pixels.length / 255;
+  if (!three.isThree || flat.isThree) complain(name, 'must be drawn by three with a graphics card, and flat without');
+  if (three.answer !== flat.answer) complain(name, 'answers otherwise without a graphics card');
+  if (apart > alike) complain(name, `with a graphics card and without its pictures are ${(100 * apart).toFixed(1)} % apart`);
+}
+
 async function checkPage(browser, file, names) {
   let doing = '', numbers = 0;
   const open = async (view, visit) => {
@@ -189,6 +232,7 @@ async function checkPage(browser, file, names) {
     await moveByHand(page, figure, name);
     await checkAloud(page, figure, name);
     await followLink(page, figure, name);
+    if (await figure.locator('canvas').count()) await compareInSpace(browser, file, name);
   });
   const phone = {colorScheme: 'dark', viewport: {width: 390, height: 800}, hasTouch: true, isMobile: true};
   await open(phone, async (page, figure, name) => {

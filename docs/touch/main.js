@@ -1,8 +1,8 @@
 // Finds the places for figures to touch on the page, and lets each begin when it comes near.
 import {make} from './core/controls.js';
 import {Figure} from './core/figure.js';
-import {book} from './core/module.js';
-import {sayInstead, spaceOf} from './core/space.js';
+import {book, script} from './core/module.js';
+import {spaceOf} from './core/space.js';
 import * as figures from './figures/all.js';
 import './touch.css';
 import {words} from './words/en.js';
@@ -10,12 +10,16 @@ import {words} from './words/en.js';
 const announcer = make('div', {className: 'aloud', 'aria-live': 'polite'});
 const announce = (text) => { announcer.textContent = text; };
 
+// The numbers first; what a picture in space needs may take longer.
 async function begin(figure) {
-  performance.mark('touch-begin');
-  const ask = await book(), space = figure.own.space && await spaceOf(figure, ask);
-  if (space === null) return sayInstead(figure);
-  figure.begin(ask, space);
-  performance.measure('touch-first-answer', 'touch-begin');
+  const begun = performance.now(), measured = (what) => performance.measure(`${figure.id}: ${what}`, {start: begun});
+  const {space} = figure.own, [ask] = await Promise.all([book(), space?.mesh && script(`touch-${space.mesh}.js`)]);
+  figure.begin(ask);
+  measured('first answer');
+  if (!space) return;
+  figure.space = await spaceOf(figure, ask);
+  figure.show();
+  measured('first picture');
 }
 
 const near = new IntersectionObserver((seen) => {

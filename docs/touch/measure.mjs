@@ -1,5 +1,6 @@
 // What the figures to touch cost, measured on the built book: node docs/touch/measure.mjs
-// The module's size as it is loaded, the time to each figure's first answer, and the pictures a second while it is dragged.
+// The module's size as it is loaded, the time to each figure's first answer, in space also to its first picture, and the
+// pictures a second while it is dragged: by its first handle, or by its first slider.
 import {statSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
@@ -39,9 +40,12 @@ for (const {name, page: id} of shownByBuild().touch) {
   const figure = page.locator(`#touch-${name}`);
   await figure.evaluate((element) => element.scrollIntoView());
   await page.waitForFunction((id) => document.getElementById(id).figure.answer, `touch-${name}`);
-  const first = await page.evaluate(() => performance.getEntriesByName('touch-first-answer')[0].duration);
-  const handle = figure.locator('.handle').first(), pictures = await handle.count() ? await drag(page, handle) : NaN;
-  console.log(`${name}: first answer after ${first.toFixed(0)} ms, ${pictures.toFixed(1)} pictures a second while dragged`);
+  if (await figure.locator('canvas').count())
+    await page.waitForFunction((id) => document.getElementById(id).figure.space, `touch-${name}`);
+  const first = await page.evaluate((id) => ['answer', 'picture'].flatMap((what) =>
+    performance.getEntriesByName(`${id}: first ${what}`).map(({duration}) => `first ${what} after ${duration.toFixed(0)} ms`)), `touch-${name}`);
+  const pictures = await drag(page, figure.locator('.handle, input[type=range]').first());
+  console.log(`${name}: ${first.join(', ')}, ${pictures.toFixed(1)} pictures a second while dragged`);
   await page.close();
 }
 await browser.close();

@@ -103,9 +103,9 @@ export class Figure {
   }
 
   /// Begins to answer, once the book's C++ is there.
-  begin(ask, space) {
-    Object.assign(this, {ask, space});
-    if (space) turnByHand(this);
+  begin(ask) {
+    this.ask = ask;
+    if (this.own.space) turnByHand(this);
     this.follow();
     new ResizeObserver(() => this.show()).observe(this.picture);
     this.show();

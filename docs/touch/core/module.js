@@ -5,8 +5,6 @@
 const memory = {instance: undefined, answer: {}};
 const utf8 = new TextDecoder();
 
-const bytes = (letters) => Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
-
 // A word of C++ by its address; without a length it ends at a zero.
 function wordAt(address, length) {
   const all = new Uint8Array(memory.instance.exports.memory.buffer);
@@ -53,8 +51,8 @@ export const script = (file) => new Promise((resolve, reject) => {
 
 async function load() {
   await script('touch-module.js');
-  const packed = new Blob([bytes(globalThis.firstContactModule)]).stream();
-  const whole = await new Response(packed.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  const {body} = await fetch(`data:;base64,${globalThis.firstContactModule}`);
+  const whole = await new Response(body.pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
   const module = await WebAssembly.compile(whole);
   begin(module);
   return (name, ...numbers) => ask(module, name, numbers);

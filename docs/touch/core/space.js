@@ -1,22 +1,27 @@
-// A figure in space: below its marks lies what three draws, and a hand on the picture turns it, or points.
+// A figure in space: below its marks lies what is drawn in space, and a hand on the picture turns it, or points.
+import {Flat} from '../space/flat.js';
 import {make} from './controls.js';
 import {script} from './module.js';
 
 /// Where it is drawn, below the marks.
 export const canvasBelow = () => make('canvas', {className: 'space', 'aria-hidden': true});
 
-/// What draws it, once all that it needs is loaded; nothing where there is no WebGL.
-export async function spaceOf({canvas, own: {space}}, ask) {
-  const {mesh, asks} = space;
-  await Promise.all([script('touch-space.js'), ...(mesh ? [script(`touch-${mesh}.js`)] : [])]);
-  const context = canvas.getContext('webgl2', {antialias: true, alpha: true});
-  const surface = () => mesh ? globalThis.firstContactMeshes[mesh] : ask(asks);
-  return context && new globalThis.firstContactSpace.Space(canvas, context, surface(), space);
+// Is there a graphics card that draws? What a processor does in its place has a name, and takes too long for a drag.
+function hasGraphics() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (!context) return false;
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER);
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return !/SwiftShader|llvmpipe|softpipe|Software|Basic Render/i.test(name);
 }
 
-/// The words of a figure, where it cannot be drawn.
-export function sayInstead({element, words}) {
-  element.replaceChildren(make('p', {className: 'told', textContent: words.noSpace}));
+/// What draws it: three, or without a graphics card a painter upon a flat canvas.
+export async function spaceOf({canvas, own: {space}}, ask) {
+  const {mesh, asks} = space, surface = mesh ? globalThis.firstContactMeshes[mesh] : ask(asks);
+  if (!hasGraphics()) return new Flat(canvas, surface, space);
+  await script('touch-space.js');
+  return new globalThis.firstContactSpace.Space(canvas, surface, space);
 }
 
 const aPixel = 0.5;  // in degrees
@@ -48,7 +53,8 @@ export function turnByHand(figure) {
     if (figure.player) figure.play(true);
   });
   picture.addEventListener('pointercancel', () => { held = undefined; });
-  new MutationObserver(() => figure.show()).observe(document.documentElement, {attributeFilter: ['class']});  // light or dark
+  const repaint = () => { figure.space?.repaint(); figure.show(); };
+  new MutationObserver(repaint).observe(document.documentElement, {attributeFilter: ['class']});  // light or dark
 }
 
 // From -180 to 180 degrees.

@@ -126,7 +126,6 @@ export const words = {
     contacts: 'contacts', triangle: 'triangle', end: 'ends at',
     meets: (count) => `In the last step the ball met the ground ${count === 1 ? 'once' : count === 2 ? 'twice' : `${count} times`}.`,
     free: 'In the last step the ball met nothing.', stands: (end) => `It is at (${end}).`,
-    noSpace: 'A ball to be steered over a terrain stands here where the browser can draw in space (WebGL).',
   },
 
   'from-afar': {
@@ -204,7 +203,6 @@ export const words = {
     picks: (number) => `The ray picks triangle ${number}.`, picksNone: 'The ray passes the rabbit.',
     touches: (what, number, t) => `The ball touches ${what}, of triangle ${number}, at <i>t</i> = ${t}.`,
     free: 'The ball touches nothing on its way.',
-    noSpace: 'A rabbit to be turned stands here where the browser can draw in space (WebGL); the picture above shows it at rest.',
   },
 
   'fast-tree': {
@@ -226,7 +224,6 @@ export const words = {
     node: (kept, dropped) => `A node: of its children ${kept} may be touched, ${dropped} are dropped.`,
     leaf: (kept, dropped) => `A leaf: of its triangles ${kept} may be touched, ${dropped} are dropped.`,
     waits: (count) => `On the stack ${count} wait.`,
-    noSpace: 'A cast on its way through the tree stands here where the browser can draw in space (WebGL).',
   },
 
   box: {
