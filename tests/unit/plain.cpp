@@ -1,4 +1,5 @@
 // What the essays write first, some ten lines each: that it is right, and what breaks it.
+#include "01_plane/plain_plane.hpp"
 #include "02_box/plain_vertices.hpp"
 #include "04_general_sphere/plain_edges.hpp"
 #include "04_general_sphere/plain_face.hpp"
@@ -7,6 +8,7 @@
 #include "08_angle_demo/plain_impact.hpp"
 #include "catch.hpp"
 #include "first_contact/geometry/line_triangle.hpp"
+#include "first_contact/geometry/plane.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/transform.hpp"
 #include "first_contact/program/random.hpp"
@@ -15,6 +17,20 @@
 #include "first_contact/sweep/sphere_triangle.hpp"
 
 using namespace first_contact;
+
+TEST_CASE("A plane as one makes it first is the library's, unless its normal is tiny or huge") {
+  std::mt19937 random(18);
+  for (int i = 0; i < 1000; ++i) {
+    CAPTURE(i);
+    const Vector n = (1 + i) * program::unit_vector(random);
+    const double d = program::uniform(random);
+    CHECK((plane_chapter::plain_plane(n, d) - Plane(n, d).coefficients()).norm() < 1e-15);
+  }
+  for (const double size : {1e-200, 1e200}) {
+    CHECK_FALSE(std::abs(plane_chapter::plain_plane({0, 0, size}, 0).z()) == 1);
+    CHECK(Plane({0, 0, size}, 0).normal().z() == 1);
+  }
+}
 
 TEST_CASE(
     "The lowest vertices as one writes them first are the library's while an axis is level exactly or not at "
