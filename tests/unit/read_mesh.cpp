@@ -65,6 +65,28 @@ TEST_CASE("PLY in binary: both byte orders, floats and doubles") {
   CHECK(mesh.vertices()[3] == Point(0, 1, doubles ? 0.1 : static_cast<double>(0.1f)));
 }
 
+TEST_CASE("PLY in binary: each number takes the bytes of its type, by its old name or its new one") {
+  using namespace std::string_literals;
+  struct Kind {
+    std::string name, two;  // and the number 2
+  };
+  for (const Kind& kind :
+       {Kind{"char", "\2"s}, Kind{"int8", "\2"s}, Kind{"uchar", "\2"s}, Kind{"uint8", "\2"s},
+        Kind{"short", "\2\0"s}, Kind{"int16", "\2\0"s}, Kind{"ushort", "\2\0"s}, Kind{"uint16", "\2\0"s},
+        Kind{"int", "\2\0\0\0"s}, Kind{"int32", "\2\0\0\0"s}, Kind{"uint", "\2\0\0\0"s},
+        Kind{"uint32", "\2\0\0\0"s}, Kind{"float", bytes_of(2.F)}, Kind{"float32", bytes_of(2.F)},
+        Kind{"double", bytes_of(2.0)}, Kind{"float64", bytes_of(2.0)}}) {
+    CAPTURE(kind.name);
+    std::string file = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty " + kind.name +
+                       " x\nproperty float y\nproperty " + kind.name +
+                       " z\nelement face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
+    for (const float y : {0.F, 1.F, 5.F}) file += kind.two + bytes_of(y) + kind.two;
+    const Mesh mesh = read("a.ply", file + "\3\0\1\2"s);
+    CHECK(mesh.vertices()[1] == Point(2, 1, 2));
+    CHECK(mesh.vertices()[2] == Point(2, 5, 2));
+  }
+}
+
 TEST_CASE("STL in ASCII: equal positions become one vertex, and 0 equals -0") {
   const Mesh mesh =
       read("square.stl",

@@ -104,6 +104,24 @@ TEST_CASE("An axis without direction and an angle that is infinite are refused")
 }
 
 TEST_CASE(
+    "The surface of a box has its area and holds its volume, its triangles seen from outside, mirrored or "
+    "not") {
+  for (const double mirrored : {1.0, -1.0}) {
+    const Mesh mesh = surface_of(Box({5, 6, 7}, {2 * mirrored, 0, 0}, {0, 3, 0}, {0, 0, 4}));
+    Vector area = Vector::Zero();  // of the sides across each axis
+    double volume = 0;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+      const Triangle t = mesh.triangle(i);
+      area += t.area_vector().cwiseAbs() / 2;
+      volume += t.a.dot(t.area_vector()) / 6;
+      CHECK((t.area_vector().array() != 0).count() == 1);
+    }
+    CHECK(area == Vector(24, 16, 12));
+    CHECK(volume == Approx(24));
+  }
+}
+
+TEST_CASE(
     "Two triangles are as near as corner and face, edge and edge, or not apart at all where they cross") {
   const Triangle flat({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
   CHECK(nearest_points(flat, Triangle({1, 1, 2}, {1, 2, 5}, {2, 1, 5})).distance() == 2);
