@@ -64,6 +64,9 @@ export const exercises = filesBelow(join(root, 'chapters'), (file) => file.endsW
 /// The library; of the pages below, each with folders shows all files of those folders.
 export const libraryRoot = join(root, 'common/first_contact');
 
+/// The file that a listing names: of the library, of a chapter, or of the figures to touch.
+export const codeFile = (file) => ['common', 'chapters', 'docs'].map((folder) => join(root, folder, file)).find(existsSync);
+
 /// The pages that are no chapters, in the order of the contents.
 export const otherPages = [
   {id: 'index', title: 'First Contact', front: true},
@@ -73,6 +76,8 @@ export const otherPages = [
   {id: 'crowds', letter: 'B', title: 'Appendix B · A hundred thousand balls', short: 'A hundred thousand balls', needs: [3, 6]},
   {id: 'jaw', letter: 'C', title: 'Appendix C · A jaw opens', short: 'A jaw opens', needs: [4]},
   {id: 'engines', letter: 'D', title: 'Appendix D · How the engines do it', short: 'How the engines do it', needs: [4]},
+  {id: 'touching', letter: 'E', title: 'Appendix E · How a figure to touch works', short: 'How a figure to touch works',
+   needs: [1]},
   {id: 'library', title: 'The library, file by file', isLibrary: true},
   {id: 'library-geometry', title: 'Geometry, file by file', short: 'geometry', isLibrary: true, folders: ['geometry']},
   {id: 'library-mesh-io', title: 'Meshes in files, file by file', short: 'mesh_io', isLibrary: true,

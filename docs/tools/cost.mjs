@@ -1,8 +1,6 @@
 // What code costs, counted in the very listing: {{cost dot product: first_contact/sweep/sphere_plane.cpp sweep_sphere_plane}}
 // becomes "two dot products". So an essay cannot go on telling what the code no longer does.
-import {existsSync} from 'node:fs';
-import {join} from 'node:path';
-import {read, root} from './book.mjs';
+import {codeFile, read} from './book.mjs';
 import {counted} from './words.mjs';
 
 const kinds = {
@@ -15,7 +13,7 @@ const kinds = {
 
 /// The code between the two lines of its tag, without comments and texts.
 export function codeOf(file, tag) {
-  const place = [join(root, 'common', file), join(root, 'chapters', file)].find(existsSync);
+  const place = codeFile(file);
   const part = place && read(place).split(new RegExp(`^\\s*//! \\[${tag}\\]$`, 'm'))[1];
   if (!part) throw new Error(`there is no code ${file} ${tag} to count in`);
   return part.replace(/\/\/.*$/gm, '').replace(/"(?:[^"\\]|\\.)*"/g, '""');

@@ -49,10 +49,18 @@ function withoutMarks(tree) {
       });
 }
 
+// Doxygen takes a name of JavaScript for one of the library's.
+function withoutForeignLinks(tree) {
+  const ofScripts = tree('.where').filter((_, where) => tree(where).text().endsWith('.js'));
+  ofScripts.add(ofScripts.closest('summary')).next('div.fragment').find('a')
+      .each((_, link) => { tree(link).replaceWith(tree(link).html()); });
+}
+
 function mend(tree) {
   lowerHeadings(tree);
   setTitle(tree);
   withoutMarks(tree);
+  withoutForeignLinks(tree);
   tree('th:empty').each((_, cell) => { cell.name = 'td'; });  // the corner of a table heads nothing
   tree('div.summary').remove();
   tree('p').has('> a.anchor:only-child:empty').remove();

@@ -4,7 +4,8 @@
 import {existsSync} from 'node:fs';
 import {basename, dirname, join, resolve} from 'node:path';
 import {
-  chapters, complain, data, docs, escape, figureFile, fromRoot, isOriginal, language, otherPages, pageInEnglish, read, root,
+  chapters, codeFile, complain, data, docs, escape, figureFile, fromRoot, isOriginal, language, otherPages, pageInEnglish,
+  read, root,
 } from './book.mjs';
 import {cost} from './cost.mjs';
 import {inlineFigure} from './figure.mjs';
@@ -146,7 +147,7 @@ class Page {
   }
 
   listing(file, tag, folded, line) {
-    const place = [join(root, 'common', file), join(root, 'chapters', file)].find(existsSync);
+    const place = codeFile(file);
     if (!place) {
       complain(this.where(line), `there is no file ${file} to show`);
       return '';

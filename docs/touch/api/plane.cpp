@@ -25,6 +25,7 @@ void tell_frames(long count, const Moving<Sphere>& ball, const Plane& plane) {
 
 }  // namespace
 
+//! [touch_plane]
 FOR_THE_PAGE(plane)
 (double a, double b, double c, double d, double x0, double y0, double z0, double x1, double y1, double z1,
  double radius, double length, double frames) {
@@ -43,3 +44,4 @@ FOR_THE_PAGE(plane)
   tell("scaled_time", (radius - length * distance) / (length * toward));
   tell_frames(long(frames), ball, plane);
 }
+//! [touch_plane]

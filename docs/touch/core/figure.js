@@ -139,6 +139,7 @@ export class Figure {
     return base ? wished.map((each, i) => each - base[i]) : wished;
   }
 
+//! [change]
   change(name, wished) {
     const value = clamped(this.own.parameters[name], wished);
     if (String(value) === String(this.state[name])) return;
@@ -154,6 +155,7 @@ export class Figure {
       this.tell();
     });
   }
+//! [change]
 
   /// Lets one number run from its least value to its most, in so many seconds.
   play(on) {
@@ -176,12 +178,14 @@ export class Figure {
     if (this.playing) this.play(false);
   }
 
+//! [show]
   /// The one function that asks and draws.
   show() {
     const width = this.picture.clientWidth, {own, state} = this;
     if (!width || !this.ask) return;
     this.answer = this.ask(own.asks ?? own.program, ...own.numbers(state));
-    const pens = this.pens = pensFor(own.views, width), last = pens.at(-1), height = Math.ceil(last.corner[1] + last.height);
+    const pens = this.pens = pensFor(own.views, width), last = pens.at(-1);
+    const height = Math.ceil(last.corner[1] + last.height);
     this.picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
     this.picture.style.height = `${height}px`;
     for (const slider of this.sliders) slider.show(state[slider.name]);
@@ -191,10 +195,13 @@ export class Figure {
     this.line.textContent = this.command();
     this.told.innerHTML = this.answer.refused ?? own.told(state, this.answer, this.words);
     if (this.answer.refused) return;
-    this.drawing.replaceChildren(...own.draw(pens, state, this.answer, this.words).map((marks, i) => pens[i].frame(marks)));
+    const drawn = own.draw(pens, state, this.answer, this.words);
+    this.drawing.replaceChildren(...drawn.map((marks, i) => pens[i].frame(marks)));
     this.space?.show(pens[0], this.answer.drawn.view, (space) => own.inSpace(state, this.answer, space));
-    showAnswers(this.answers, own.answers(state, this.answer, this.words, own.measure?.(this.ask, state, this.answer)));
+    const took = own.measure?.(this.ask, state, this.answer);
+    showAnswers(this.answers, own.answers(state, this.answer, this.words, took));
   }
+//! [show]
 
   /// The line that runs the same scene; where a value begins with a minus, it is joined by =.
   command() {

@@ -32,6 +32,7 @@ export class Handle {
     this.element.addEventListener('keydown', (event) => this.key(event));
   }
 
+//! [drag]
   grab(event) {
     if (event.button > 0) return;
     event.preventDefault();
@@ -46,6 +47,7 @@ export class Handle {
     const at = placeOf(event, this.element.ownerSVGElement);
     this.moved(this.pen.world([at[0] + this.held[0], at[1] + this.held[1]]));
   }
+//! [drag]
 
   key(event) {
     const way = wayOf(event, this.parameter);

@@ -11,6 +11,7 @@ function wordAt(address, length) {
   return utf8.decode(all.subarray(address, length === undefined ? all.indexOf(0, address) : address + length));
 }
 
+//! [put]
 // "contact/time" is put where a JSON pointer of that name leads.
 function put(name, length, value) {
   const path = wordAt(name, length).split('/'), last = path.pop();
@@ -18,6 +19,7 @@ function put(name, length, value) {
   for (const part of path) place = place[part] ??= {};
   place[last] = value;
 }
+//! [put]
 
 // "bunny/faces", of what a script of the page has brought.
 const given = (name, length) =>
@@ -58,6 +60,7 @@ async function load() {
   return (name, ...numbers) => ask(module, name, numbers);
 }
 
+//! [ask]
 function ask(module, name, numbers) {
   memory.answer = {};
   try {
@@ -68,6 +71,7 @@ function ask(module, name, numbers) {
   }
   return memory.answer;
 }
+//! [ask]
 
 let loaded;
 /// The one function that asks, `ask('plane', ...numbers)`, loaded once for all figures of the page.

@@ -16,22 +16,27 @@ export const place = (start, {least, most, step = 0.1, fine = 0.01, from}) =>
 /// Numbers that are the library's, to the last bit: where a step ended is where the next one begins.
 export const exact = (start, {least, most}) => ({start, least, most, isExact: true});
 
+//! [clamped]
 const within = (value, least, most, step) =>
   Number((Math.round(Math.min(most, Math.max(least, value)) / step) * step).toFixed(decimals(step)));
 
 /// The value nearest to the wished one that the parameter may have.
 export function clamped({least, most, fine, isPlace, isExact}, wished) {
   if (isExact) return wished.map((each, i) => Math.min(most[i], Math.max(least[i], each)));
-  return isPlace ? wished.map((each, i) => within(each, least[i], most[i], fine)) : within(wished, least, most, fine);
+  if (isPlace) return wished.map((each, i) => within(each, least[i], most[i], fine));
+  return within(wished, least, most, fine);
 }
+//! [clamped]
 
 /// The state at the beginning.
 export const startOf = (parameters) =>
   Object.fromEntries(Object.entries(parameters).map(([name, {start}]) => [name, start]));
 
+//! [fragment]
 /// "#touch-plane:from=-0.9,2.1;radius=0.7"
 export const fragmentOf = (id, state) =>
   `#${id}:` + Object.entries(state).map(([name, value]) => `${name}=${value}`).join(';');
+//! [fragment]
 
 // An address that somebody has cut or mistyped asks for nothing.
 function decoded(fragment) {

@@ -28,19 +28,23 @@ export class Pen {
     this.upward = this.height / (view.top - view.bottom);
   }
 
+//! [pen]
   at([x, y]) {
-    return [this.corner[0] + (x - this.view.left) * this.scale, this.corner[1] + (this.view.top - y) * this.upward];
+    const {corner, view, scale, upward} = this;
+    return [corner[0] + (x - view.left) * scale, corner[1] + (view.top - y) * upward];
   }
+
+  /// From the paper back to the world.
+  world([x, y]) {
+    const {corner, view, scale, upward} = this;
+    return [view.left + (x - corner[0]) / scale, view.top - (y - corner[1]) / upward];
+  }
+//! [pen]
 
   /// What is drawn in this view; nothing goes beyond its edge.
   frame(marks) {
     const [x, y] = this.corner, {width, height} = this;
     return mark('svg', {x, y, width, height, viewBox: `${x} ${y} ${width} ${height}`}, ...marks);
-  }
-
-  /// From the paper back to the world.
-  world([x, y]) {
-    return [this.view.left + (x - this.corner[0]) / this.scale, this.view.top - (y - this.corner[1]) / this.upward];
   }
 
   ball(center, radius, kind) {

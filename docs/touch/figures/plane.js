@@ -46,12 +46,14 @@ export const plane = {
     '--plane': coefficients(state), '--from': [state.from[0], 0, state.from[1]], '--to': [state.to[0], 0, state.to[1]],
     '--radius': state.radius, '--length': state.length, '--frames': state.frames}),
 
+//! [draw_plane]
   draw([pen], state, answer, words) {
     const {from, to, p, q, radius} = state, line = ends(answer, 0), raised = ends(answer, answer.drawn.raised);
     const foot = [0.7 * p[0] + 0.3 * q[0], 0.7 * p[1] + 0.3 * q[1]], [n, , m] = answer.drawn.normal;
-    const tip = [foot[0] + 0.5 * state.length * n, foot[1] + 0.5 * state.length * m];  // drawn half as long as it is
+    const half = 0.5 * state.length, tip = [foot[0] + half * n, foot[1] + half * m];  // drawn at half its length
     return [[
-      pen.path([...line, [9, -9], [-9, -9]], 'ground', true), pen.path(line, 'obstacle'), pen.path(raised, 'offset'),
+      pen.path([...line, [9, -9], [-9, -9]], 'ground', true),
+      pen.path(line, 'obstacle'), pen.path(raised, 'offset'),
       ...frames(pen, state, answer), pen.ball(from, radius, 'mover'), pen.arrow(from, to, 'motion rest'),
       ...(answer.contact ? contact(pen, state, answer, words) : []),
       pen.arrow(foot, tip, 'normal'), pen.label('*N*', tip, [9, 8]),
@@ -61,6 +63,7 @@ export const plane = {
       pen.label('E′', [2.4, heightAt(raised, 2.4)], [0, -8], 'offset'),
     ]];
   },
+//! [draw_plane]
 
   answers: (state, {gap, toward, contact: found, frames: seen, scaled_time: scaled}, words) => [
     [words.gap, [shown(gap)]], ['<b>N</b> · <b>V</b>', [shown(toward)]], ['<i>t</i>', [shown(found?.time), 'right']],

@@ -121,12 +121,14 @@ export class Flat extends Bodies {
         if (thing.at !== center && distance(thing.at, center) < radius) thing.depth = Math.min(thing.depth, depth - tiny);
   }
 
+//! [beside_ball]
   // Beside a ball its plane tells whether a face is before it.
   besideBall(face, {center, x, y, size, depth}) {
     if (Math.abs(face.x - x) > size + face.reach || Math.abs(face.y - y) > size + face.reach) return;
     const isBehind = dot(face.normal, minus(center, face.at)) > 0;
     face.depth = isBehind ? Math.min(face.depth, depth - tiny) : Math.max(face.depth, depth + tiny);
   }
+//! [beside_ball]
 
   // The faces that are turned to the eye, within the picture; what is lit is seen from behind, too, if one looks through.
   putFaces(faces) {
