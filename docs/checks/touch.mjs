@@ -1,12 +1,13 @@
 // The figures to touch: the start of each and ten random states are compared with what the program prints for the line that
 // the page shows, bit for bit; then each is moved by a pointer, by the keyboard and by a finger, sent by its link, and seen
-// by axe.
+// by axe. All of them share one module, which must stay small.
 import {execFileSync} from 'node:child_process';
 import {mkdirSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {binaries, build, complain, html, read, root, shownByBuild} from '../tools/book.mjs';
+import {bytesSent, mostBytes} from '../tools/touch.mjs';
 import {openBrowser, openTab} from './browsing.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
@@ -252,11 +253,13 @@ export async function checkTouch() {
   const pages = new Map();
   for (const {page, name} of shownByBuild().touch) pages.set(page, [...pages.get(page) ?? [], name]);
   if (!pages.size) return 'no figures to touch: clang and its C library for WebAssembly are not there';
+  const bytes = bytesSent();
+  if (bytes > mostBytes) complain('docs/touch', `the module is ${bytes} bytes packed, of ${mostBytes} at the most`);
   const browser = await openBrowser();
   if (!browser) return 'not run';
   const fileOf = (page) => page.replaceAll('_', '-') + '.html';
   const counts = await Promise.all([...pages].map(([page, names]) => checkPage(browser, fileOf(page), names)));
   await browser.close();
   const numbers = counts.reduce((sum, count) => sum + count, 0);
-  return `${shownByBuild().touch.length} figures, ${numbers} numbers of each state (the start and ${states} more, seed ${seed}) equal to the program's`;
+  return `${shownByBuild().touch.length} figures in ${bytes} bytes, ${numbers} numbers of each state (the start and ${states} more, seed ${seed}) equal to the program's`;
 }

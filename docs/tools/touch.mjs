@@ -55,6 +55,10 @@ const bundle = (from, to, options) =>
   buildSync({entryPoints: [join(source, from)], outfile: join(html, to), bundle: true, format: 'iife', charset: 'utf8',
              logLevel: 'silent', ...options});
 
+/// So many bytes a reader's browser may be sent for the module, packed; and as many it is sent.
+export const mostBytes = 150 * 1024;
+export const bytesSent = () => gzipSync(readFileSync(join(html, 'touch-module.js')), {level: 9}).length;
+
 /// Puts into the site what its figures to touch need.
 export function buildTouch() {
   if (!canTouch || !buildModule()) return;

@@ -7,6 +7,7 @@ import {pathToFileURL} from 'node:url';
 import {gzipSync} from 'node:zlib';
 import {openBrowser, openTab} from '../checks/browsing.mjs';
 import {html, read, root, shownByBuild, stopIfWrong} from '../tools/book.mjs';
+import {bytesSent} from '../tools/touch.mjs';
 
 const seconds = 3;
 
@@ -31,7 +32,7 @@ async function drag(page, handle) {
 }
 
 const wasm = statSync(join(root, 'build/touch/book.wasm')).size, scripts = gzipSync(read(html, 'touch.js')).length;
-console.log(`the module: ${wasm} bytes, ${gzipSync(read(html, 'touch-module.js')).length} gzipped as it is loaded; scripts ${scripts} gzipped`);
+console.log(`the module: ${wasm} bytes, ${bytesSent()} gzipped as it is loaded; scripts ${scripts} gzipped`);
 const browser = await openBrowser();
 stopIfWrong('opening a browser');
 for (const {name, page: id} of shownByBuild().touch) {

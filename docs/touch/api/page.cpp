@@ -1,8 +1,12 @@
 #include "page.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <exception>
+#include <string>
 #include <typeinfo>
+
+#include "first_contact/geometry/number_text.hpp"
 
 #define OF_THE_PAGE(name) __attribute__((import_module("page"), import_name(name)))
 
@@ -15,6 +19,7 @@ OF_THE_PAGE("word") void page_word(const char* name, std::size_t length, const c
 OF_THE_PAGE("whether") void page_whether(const char* name, std::size_t length, bool is_so);
 OF_THE_PAGE("count") std::size_t page_count(const char* name, std::size_t length);
 OF_THE_PAGE("copy") void page_copy(const char* name, std::size_t length, double* to);
+OF_THE_PAGE("text") std::size_t page_text(double value, char* to, std::size_t most);
 OF_THE_PAGE("refused") void page_refused(const char* why);
 
 // WebAssembly of Debian's clang knows no exceptions: what would be thrown is told to the page, and the call
@@ -25,8 +30,16 @@ void __cxa_free_exception(void*) noexcept {}
   page_refused(static_cast<std::exception*>(thrown)->what());
   __builtin_trap();
 }
+// A fault that cannot be; the library's own words for it would bring all of printf.
+[[noreturn]] void abort_message(const char*, ...) { __builtin_trap(); }
 
 }  // extern "C"
+
+// What a refusal says of a number is written by the page, for the same reason.
+std::string first_contact::to_text(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), page_text(value, text.data(), text.size())};
+}
 
 namespace touch {
 

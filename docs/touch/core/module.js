@@ -3,11 +3,12 @@
 // a figure first comes near.
 
 const memory = {instance: undefined, answer: {}};
-const utf8 = new TextDecoder();
+const utf8 = new TextDecoder(), utf8Of = new TextEncoder();
+const buffer = () => memory.instance.exports.memory.buffer;
 
 // A word of C++ by its address; without a length it ends at a zero.
 function wordAt(address, length) {
-  const all = new Uint8Array(memory.instance.exports.memory.buffer);
+  const all = new Uint8Array(buffer());
   return utf8.decode(all.subarray(address, length === undefined ? all.indexOf(0, address) : address + length));
 }
 
@@ -29,12 +30,14 @@ const given = (name, length) =>
 const page = {
   number: put,
   numbers: (name, length, first, count) =>
-    put(name, length, [...new Float64Array(memory.instance.exports.memory.buffer, first, count)]),
+    put(name, length, [...new Float64Array(buffer(), first, count)]),
   whether: (name, length, isSo) => put(name, length, Boolean(isSo)),
   word: (name, length, word) => put(name, length, wordAt(word)),
   count: (name, length) => given(name, length).length,
   copy: (name, length, to) =>
-    new Float64Array(memory.instance.exports.memory.buffer, to, given(name, length).length).set(given(name, length)),
+    new Float64Array(buffer(), to, given(name, length).length).set(given(name, length)),
+  text: (value, to, most) =>
+    utf8Of.encodeInto(String(Number(value.toPrecision(6))), new Uint8Array(buffer(), to, most)).written,
   refused: (why) => { throw new Error(wordAt(why)); },
 };
 const noSystem = new Proxy({}, {get: () => () => 52});
