@@ -30,7 +30,8 @@ const flattened = (value, name = '') => value === null || typeof value !== 'obje
 
 // The results of a line, and, if some names are not among them, the numbers that the notes show.
 function printedBy(line, names) {
-  const [, , program, ...options] = line.split(' '), folder = join(build, 'touch'), values = join(folder, 'values.json');
+  const [, , program, ...options] = line.replaceAll("'", '').split(' ');  // quotes are the shell's
+  const folder = join(build, 'touch'), values = join(folder, 'values.json');
   const all = [...options, '--json', '--no-figures'];
   const run = (...more) => execFileSync(join(binaries, program), [...all, ...more], {cwd: root, encoding: 'utf8'});
   const results = new Map(flattened(JSON.parse(run())));

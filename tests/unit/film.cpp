@@ -281,6 +281,14 @@ TEST_CASE(
   CHECK(refused > 100);
 }
 
+TEST_CASE("A film's text may stand where its name would") {
+  const Film film = film_named(R"({"ball": {"radius": 0.4}, "keys": [{"time": 0, "place": [0, 0, 2]},
+    {"time": 3.5, "place": [1, 0, 2]}]})");
+  CHECK(film.end() == 3.5);
+  CHECK(film.name == "film");
+  CHECK_THROWS_WITH(film_named("{}"), "film: {}: must have one of ball, box");
+}
+
 TEST_CASE("A word that is no film is told which there are") {
   CHECK_THROWS_WITH(film_named("hal"), "must be a JSON file, or one of hall, crate, ramp, squash");
 }

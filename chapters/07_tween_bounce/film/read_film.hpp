@@ -13,7 +13,7 @@ inline constexpr std::size_t most_bytes = 1 << 20;
 /// \throws FilmError that names the place, the value and the rule.
 Film film_of(const std::string& text, const std::string& name, const std::filesystem::path& folder);
 
-/// The film of that word: one of `scenes`, or else a file.
+/// The film of that word: one of `scenes`, the text of one, which begins with {, or else a file.
 /// \throws FilmError, or FileError if there is no such file.
 Film film_named(const std::string& word);
 

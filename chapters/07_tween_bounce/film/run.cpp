@@ -74,8 +74,8 @@ void tell_film(Program& program, const Film& film, const Showing& showing, const
 
 FilmOptions::FilmOptions(Program& program) {
   program.option("--film", word, "WORD|FILE",
-                 {"a film instead: " + scene_names() + ", or a JSON file",
-                  "改放影片：" + scene_names() + "，或 JSON 檔"});
+                 {"a film instead: " + scene_names() + ", a JSON file, or its text",
+                  "改放影片：" + scene_names() + "、JSON 檔，或其內容"});
   program.option("--fps", per_second, "n", {"pictures of a film in one second", "影片每秒的畫面數"},
                  [](double value) {
                    return value >= 1 && value <= 240 ? std::string() : std::string("must be from 1 to 240");

@@ -121,22 +121,26 @@ export class Figure {
     this.element.scrollIntoView({block: 'center'});
   }
 
-  baseOf(name) {
-    const {from} = this.own.parameters[name];
-    return Array.isArray(from) ? from : this.state[from];
+  // Where a place is counted from, and in which units: a way begins at another place.
+  frameOf(name) {
+    const {from = [0, 0], frame} = this.own.parameters[name];
+    return frame ? frame(this.state) : {base: Array.isArray(from) ? from : this.state[from], unit: [1, 1]};
   }
 
-  // Where a handle is, or what a slider shows: a way begins at another place, and has its handle at its end.
+  // Where a handle is, or what a slider shows.
   shownPlace(name) {
     if (name === this.own.steered?.by) return [0, 0];  // it stands in the middle of its picture
-    const base = this.baseOf(name), value = this.state[name];
-    return base ? value.map((each, i) => each + base[i]) : value;
+    const value = this.state[name];
+    if (!Array.isArray(value)) return value;
+    const {base, unit} = this.frameOf(name);
+    return value.map((each, i) => base[i] + unit[i] * each);
   }
 
   // What is meant by moving it there.
   meant(name, wished) {
-    const base = this.baseOf(name);
-    return base ? wished.map((each, i) => each - base[i]) : wished;
+    if (!Array.isArray(wished)) return wished;
+    const {base, unit} = this.frameOf(name);
+    return wished.map((each, i) => (each - base[i]) / unit[i]);
   }
 
 //! [change]
@@ -190,7 +194,7 @@ export class Figure {
     this.picture.style.height = `${height}px`;
     for (const slider of this.sliders) slider.show(state[slider.name]);
     for (const handle of this.handles)
-      handle.show(pens[0], this.words.place(...state[handle.name].map(shown)));
+      handle.show(pens[handle.parameter.view], state[handle.name], this.said(handle.name));
     this.link.href = fragmentOf(this.id, state);
     this.line.textContent = this.command();
     this.told.innerHTML = this.answer.refused ?? own.told(state, this.answer, this.words);
@@ -202,6 +206,12 @@ export class Figure {
     showAnswers(this.answers, own.answers(state, this.answer, this.words, took));
   }
 //! [show]
+
+  // Where a handle is, in words.
+  said(name) {
+    const {said, place} = this.words;
+    return (said?.[name] ?? place)(...this.state[name].map(shown));
+  }
 
   /// The line that runs the same scene; where a value begins with a minus, it is joined by =.
   command() {

@@ -22,6 +22,7 @@ export class Handle {
     Object.assign(this, {name, parameter, now, moved});
     const {least, most, start} = parameter;
     const range = {'aria-valuemin': least[0], 'aria-valuemax': most[0], 'aria-valuenow': start[0]};
+    this.isLevel = least[1] === most[1];  // it can be moved along a line alone
     this.element = mark('g', {class: 'handle', tabindex: 0, role: 'slider', 'aria-label': label, ...range},
                         mark('circle', {class: 'reach', r: 22}), mark('circle', {class: 'ring', r: 9}));
     this.element.addEventListener('touchstart', (event) => event.preventDefault(), {passive: false});  // no scrolling
@@ -54,15 +55,15 @@ export class Handle {
     if (!way) return;
     event.preventDefault();
     const [x, y] = this.now();
-    this.moved([x + way[0], y + way[1]]);
+    this.moved(this.isLevel ? [x + way[0] + way[1], y] : [x + way[0], y + way[1]]);
   }
 
   /// Puts the handle where the state has it.
-  show(pen, words) {
+  show(pen, value, words) {
     this.pen = pen;
-    const place = this.now(), [x, y] = pen.at(place);
+    const [x, y] = pen.at(this.now());
     this.element.setAttribute('transform', `translate(${x},${y})`);
-    this.element.setAttribute('aria-valuenow', place[0]);
+    this.element.setAttribute('aria-valuenow', value[0]);
     this.element.setAttribute('aria-valuetext', words);
   }
 }

@@ -9,16 +9,17 @@ export const toggle = (start) => ({...number(start, {least: 0, most: 1, step: 1}
 /// One of several, by its number from 0; the words name each.
 export const choice = (start, {length}) => ({...number(start, {least: 0, most: length - 1, step: 1}), isChoice: true});
 /// A place in the plane: {start: [x, y], least: [x, y], most: [x, y], step, fine}; with `from` the way from another place
-/// to it, such as a velocity; that place is a parameter, or [x, y].
-export const place = (start, {least, most, step = 0.1, fine = 0.01, from}) =>
-  ({start, least, most, step, fine, from, isPlace: true});
+/// to it, such as a velocity; that place is a parameter, or [x, y]. With `frame`, which makes {base, unit} of the state, it
+/// is counted from there, in those units. It is moved in the figure's picture of the number `view`.
+export const place = (start, {least, most, step = 0.1, fine = 0.01, from, frame, view = 0}) =>
+  ({start, least, most, step, fine, from, frame, view, isPlace: true});
 
 /// Numbers that are the library's, to the last bit: where a step ended is where the next one begins.
 export const exact = (start, {least, most}) => ({start, least, most, isExact: true});
 
 //! [clamped]
 const within = (value, least, most, step) =>
-  Number((Math.round(Math.min(most, Math.max(least, value)) / step) * step).toFixed(decimals(step)));
+  Number((Math.round(Math.min(most, Math.max(least, value)) / step) * step).toFixed(decimals(step))) + 0;  // and no -0
 
 /// The value nearest to the wished one that the parameter may have.
 export function clamped({least, most, fine, isPlace, isExact}, wished) {

@@ -6,6 +6,7 @@ export {deCasteljau as 'de-casteljau'} from './de_casteljau.js';
 export {fromAfar as 'from-afar'} from './from_afar.js';
 export {frustum} from './frustum.js';
 export {fastTree as 'fast-tree'} from './fast_tree.js';
+export {film} from './film.js';
 export {generalSphere as 'general-sphere'} from './general_sphere.js';
 export {hitTest as 'hit-test'} from './hit_test.js';
 export {movingSpheres as 'moving-spheres'} from './moving_spheres.js';

@@ -1,4 +1,6 @@
 // Every word of the figures to touch, in English.
+const partOf = (time, way) => `${way} of the way after ${time} of the time`;
+
 export const words = {
   all: {
     reset: 'Reset', play: 'Play', pause: 'Pause', link: 'A link to this scene', run: 'Run this',
@@ -171,6 +173,24 @@ export const words = {
     hits: (printed, t1) => `As printed the ball hits the floor at <i>t</i> = ${printed}; if it obeys gravity, at ${t1}.`,
     never: 'As printed the ball does not hit the floor.',
     frozen: (t, printed, truth) => `At <i>t</i> = ${t} it is ${printed} high as printed, and ${truth} if it obeys.`,
+  },
+
+  film: {
+    title: 'A film of three keys, a floor and a box',
+    caption: `<b>To touch.</b> Drag the keys and the box, and play. Dashed is the plan, red what becomes of it: the path is tested
+      first, and each contact turns aside what is left. On the time line, to the right or below, drag key 1 to another time, and the curve
+      of each easing by its two points. Each contact is marked when it comes.`,
+    key0: 'K 0, the place of key 0', key1: 'K 1, the place of key 1', key2: 'K 2, the place of key 2',
+    box: 'the middle of the box', time1: 'K 1 on the time line, the time of key 1',
+    in1: 'first easing, the point at its start', out1: 'first easing, the point at its end',
+    in2: 'second easing, the point at its start', out2: 'second easing, the point at its end',
+    restitution: {html: 'restitution <i>e</i>', spoken: 'restitution e'},
+    time: {html: 'time <i>t</i>', spoken: 'time t'},
+    at: (there) => `It is in (${there}).`, said: {
+      time1: (t) => `at the time ${t}`, in1: partOf, out1: partOf, in2: partOf, out2: partOf},
+    contacts: 'contacts at', position: 'place at <i>t</i>', part: 'part of the way',
+    met: (times, t) => times.length ? `Up to <i>t</i> = ${t} the ball touches ${times.length === 1 ? 'once' : times.length === 2 ? 'twice' :
+      `${times.length} times`}, at ${times.join(', ')}.` : `Up to <i>t</i> = ${t} the ball touches nothing.`,
   },
 
   'general-sphere': {
