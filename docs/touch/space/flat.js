@@ -15,7 +15,7 @@ function facesOf({vertices, faces}) {
   return threes(faces).map((corners, number) => {
     const [a, b, c] = corners.map((i) => places[i]);
     return {number, corners, at: a, normal: unit(cross(minus(b, a), minus(c, a))),
-            xs: [0, 0, 0], ys: [0, 0, 0], x: 0, y: 0, depth: 0, reach: 0};
+            xs: [0, 0, 0], ys: [0, 0, 0], depths: [0, 0, 0], x: 0, y: 0, depth: 0, reach: 0};
   });
 }
 
@@ -105,11 +105,11 @@ export class Flat extends Bodies {
 
   // Where a face is seen; whether it is within the picture.
   layFace(face, seen) {
-    const {corners, xs, ys} = face, {width, height} = this.pen;
-    corners.forEach((corner, k) => { [xs[k], ys[k]] = seen[corner]; });
+    const {corners, xs, ys, depths} = face, {width, height} = this.pen;
+    corners.forEach((corner, k) => { [xs[k], ys[k], depths[k]] = seen[corner]; });
     face.x = (xs[0] + xs[1] + xs[2]) / 3;
     face.y = (ys[0] + ys[1] + ys[2]) / 3;
-    face.depth = (seen[corners[0]][2] + seen[corners[1]][2] + seen[corners[2]][2]) / 3;
+    face.depth = (depths[0] + depths[1] + depths[2]) / 3;
     face.reach = Math.max(...xs.map((x, k) => Math.hypot(x - face.x, ys[k] - face.y)));
     return Math.abs(face.x - width / 2) < width / 2 + face.reach && Math.abs(face.y - height / 2) < height / 2 + face.reach;
   }
@@ -121,14 +121,24 @@ export class Flat extends Bodies {
         if (thing.at !== center && distance(thing.at, center) < radius) thing.depth = Math.min(thing.depth, depth - tiny);
   }
 
-//! [beside_ball]
-  // Beside a ball its plane tells whether a face is before it.
-  besideBall(face, {center, x, y, size, depth}) {
+//! [is_behind]
+  // Where a corner of a face is seen upon a ball, or its middle, the front of the ball is before it or behind; where none
+  // is, the plane of the face tells: what is turned to the eye hides what is behind its plane, and nothing else.
+  isBehind({xs, ys, depths, x, y, depth, normal, at}, ball) {
+    for (const [a, b, itsDepth] of [[x, y, depth], ...xs.map((each, k) => [each, ys[k], depths[k]])]) {
+      const off = Math.hypot(a - ball.x, b - ball.y) / ball.size;
+      if (off < 1) return itsDepth < ball.depth + ball.radius * Math.sqrt(1 - off * off);
+    }
+    return dot(normal, minus(ball.center, at)) > 0;
+  }
+//! [is_behind]
+
+  besideBall(face, ball) {
+    const {x, y, size, depth} = ball;
     if (Math.abs(face.x - x) > size + face.reach || Math.abs(face.y - y) > size + face.reach) return;
-    const isBehind = dot(face.normal, minus(center, face.at)) > 0;
+    const isBehind = this.isBehind(face, ball);
     face.depth = isBehind ? Math.min(face.depth, depth - tiny) : Math.max(face.depth, depth + tiny);
   }
-//! [beside_ball]
 
   // The faces that are turned to the eye, within the picture; what is lit is seen from behind, too, if one looks through.
   putFaces(faces) {

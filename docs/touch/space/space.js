@@ -62,7 +62,11 @@ export class Space extends Bodies {
     Object.assign(this, {scene: new Scene(), lamp: {value: new Vector3()}, materials: new Map(), bodies: new Map()});
     this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true});
     this.corner = (face, k) => vertices.slice(3 * faces[3 * face + k], 3 * faces[3 * face + k] + 3);
-    this.scene.add(new Mesh(triangles(faces.flatMap((i) => vertices.slice(3 * i, 3 * i + 3))), this.material(colour, opacity)));
+    const surface = triangles(faces.flatMap((i) => vertices.slice(3 * i, 3 * i + 3)));
+    const layer = (own) => new Mesh(surface, this.material(colour, opacity, own));
+    // Of a mesh that one looks through, only the front is seen: how near that is comes first, without its colour.
+    if (opacity < 1) this.scene.add(Object.assign(layer({colorWrite: false}), {renderOrder: -1}));
+    this.scene.add(layer());
   }
 
   material(name, opacity, own) {
