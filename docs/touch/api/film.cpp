@@ -14,17 +14,16 @@ using touch::tell;
 
 namespace {
 
-constexpr double radius = 0.4, side = 1.2, depth = 4, end = 3;
+constexpr int most_contacts = 64;  // as a film has them
 
-Played play_film(const Tween& plan, const Point& middle, double restitution) {
+Played play_film(const Tween& plan, double radius, const Box& box, double restitution) {
   const Plane floor({0, 0, 1}, 0);
-  const Box box(middle, {side, 0, 0}, {0, depth, 0}, {0, 0, side});
   const auto meets = [&](const Moving<Sphere>& moving) {
     auto contact = sweep(moving, floor), other = sweep(moving, box);
     return other && (!contact || other->time < contact->time) ? other : contact;
   };
   const double largest = std::max(largest_coordinate(floor), largest_coordinate(box));
-  return play(plan, radius, meets, largest, After::bounce(restitution), 64);
+  return play(plan, radius, meets, largest, After::bounce(restitution), most_contacts);
 }
 
 void tell_contacts(const std::vector<Contact>& contacts, double until) {
@@ -35,10 +34,9 @@ void tell_contacts(const std::vector<Contact>& contacts, double until) {
     tell(place + "/normal", contacts[i].normal);
     tell(place + "/feature", to_string(contacts[i].feature));
   }
-  tell("drawn/contacts", double(contacts.size()));
 }
 
-void tell_ways(const Played& played) {
+void tell_ways(const Played& played, double end) {
   constexpr int pictures = 150;
   std::vector<double> plan, way;
   for (int i = 0; i <= pictures; ++i) {
@@ -60,16 +58,17 @@ void tell_easing(const char* name, const Easing& easing) {
 }  // namespace
 
 FOR_THE_PAGE(film)
-(double x0, double z0, double x1, double z1, double x2, double z2, double key_time, double a0, double b0,
- double a1, double b1, double c0, double d0, double c1, double d1, double box_x, double box_z,
- double restitution, double time) {
+(double radius, double x0, double z0, double x1, double z1, double x2, double z2, double key_time, double end,
+ double a0, double b0, double a1, double b1, double c0, double d0, double c1, double d1, double box_x,
+ double box_z, double side, double depth, double restitution, double time) {
   const Easing first = ease::cubic_bezier(a0, b0, a1, b1), second = ease::cubic_bezier(c0, d0, c1, d1);
   const Tween plan({{0, {x0, 0, z0}, first}, {key_time, {x1, 0, z1}, second}, {end, {x2, 0, z2}}});
-  const Played played = play_film(plan, {box_x, 0, box_z}, restitution);
+  const Box box({box_x, 0, box_z}, {side, 0, 0}, {0, depth, 0}, {0, 0, side});
+  const Played played = play_film(plan, radius, box, restitution);
   tell_contacts(played.contacts(), time);
   tell("last/place", played.at(time));
   tell("last/time", time);
-  tell_ways(played);
+  tell_ways(played, end);
   tell_easing("drawn/easings/0", first);
   tell_easing("drawn/easings/1", second);
 }

@@ -3,7 +3,7 @@
 import {flat, listed, pairs} from '../core/lists.js';
 import {number, place, shown} from '../core/state.js';
 
-const end = 3, radius = 0.4, side = 1.2, depth = 4;  // as in api/film.cpp
+const end = 3, radius = 0.4, side = 1.2, depth = 4;
 const stage = {left: -5.2, right: 5.2, bottom: -1.4, top: 4.6};
 const chart = {left: -0.4, right: 3.3, bottom: -0.8, top: 1.5, tall: 0.577};
 const ground = [0, -0.5];  // of the chart: there lies the time line
@@ -78,7 +78,7 @@ export const film = {
   play: {of: 'time', seconds: end},
 
   numbers: ({key0, key1, key2, time1: [t], in1, out1, in2, out2, box, restitution, time}) =>
-    [...key0, ...key1, ...key2, t, ...in1, ...out1, ...in2, ...out2, ...box, restitution, time],
+    [radius, ...key0, ...key1, ...key2, t, end, ...in1, ...out1, ...in2, ...out2, ...box, side, depth, restitution, time],
   options: (state) => ({'--film': `'${textOf(state)}'`, '--at': state.time}),
 
   draw: ([left, right], state, answer, words) => [onStage(left, state, answer), onChart(right, state, answer, words)],
