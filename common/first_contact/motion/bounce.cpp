@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -121,7 +122,8 @@ std::size_t Bounce::impacts_until(double time) const {
   if (!first_ || time < first_->time) return 0;
   if (gravity_ == 0) return 1;
   std::size_t low = 1, high = 2;
-  while (impact_time(high) <= time && high < std::size_t{1} << 62U) low = std::exchange(high, 2 * high);
+  while (impact_time(high) <= time && high < std::numeric_limits<std::size_t>::max() / 4)
+    low = std::exchange(high, 2 * high);
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     (impact_time(middle) <= time ? low : high) = middle;
