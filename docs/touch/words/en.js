@@ -153,8 +153,8 @@ export const words = {
     part: {html: 'part <i>s</i>', spoken: 'part of the curve, s'},
     even: {html: 'constant speed', spoken: 'constant speed'},
     length: 'length', speed: 'speed at <i>s</i>', parameter: 'parameter at <i>s</i> of the length',
-    at: (x, y, s, length) => `The curve is ${length} long. At ${s} of its parameter it is in (${x}, ${y}).`,
-    evenly: (x, y, s, length, parameter) => `The curve is ${length} long. At ${s} of its length its parameter is ${parameter}, and it is in (${x}, ${y}).`,
+    at: (x, y, s, length) => `The curve is ${length} long. At ${s} of its parameter it is at (${x}, ${y}).`,
+    evenly: (x, y, s, length, parameter) => `The curve is ${length} long. At ${s} of its length its parameter is ${parameter}, and it is at (${x}, ${y}).`,
   },
 
   'tween-bounce': {
@@ -186,7 +186,7 @@ export const words = {
     in2: 'second easing, the point at its start', out2: 'second easing, the point at its end',
     restitution: {html: 'restitution <i>e</i>', spoken: 'restitution e'},
     time: {html: 'time <i>t</i>', spoken: 'time t'},
-    at: (there) => `It is in (${there}).`, said: {
+    at: (there) => `It is at (${there}).`, said: {
       time1: (t) => `at the time ${t}`, in1: partOf, out1: partOf, in2: partOf, out2: partOf},
     contacts: 'contacts at', position: 'place at <i>t</i>', part: 'part of the way',
     met: (times, t) => times.length ? `Up to <i>t</i> = ${t} the ball touches ${times.length === 1 ? 'once' : times.length === 2 ? 'twice' :
