@@ -66,5 +66,5 @@ export function buildTouch() {
   writeFileSync(join(html, 'touch-module.js'), `globalThis.firstContactModule = "${packed}";\n`);
   writeFileSync(join(html, 'touch-bunny.js'), meshScript('bunny'));
   bundle('main.js', 'touch.js');
-  bundle('space/space.js', 'touch-space.js', {globalName: 'firstContactSpace', minify: true, legalComments: 'inline'});
+  bundle('space/three.js', 'touch-space.js', {globalName: 'firstContactSpace', minify: true, legalComments: 'inline'});
 }

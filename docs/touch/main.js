@@ -1,8 +1,8 @@
 // Finds the places for figures to touch on the page, and lets each begin when it comes near.
-import {make} from './core/controls.js';
+import {make} from './page/controls.js';
 import {Figure} from './core/figure.js';
 import {book, script} from './core/module.js';
-import {spaceOf} from './core/space.js';
+import {spaceOf} from './space/space.js';
 import * as figures from './figures/all.js';
 import './touch.css';
 import {words} from './words/en.js';

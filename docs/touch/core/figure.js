@@ -1,15 +1,9 @@
 // A figure to touch: its state, what the book's C++ answers, and one function, `show`, that draws all of it anew.
-import {Choice, Slider, Toggle, button, make, showAnswers} from './controls.js';
-import {Handle} from './handles.js';
+import {showAnswers} from '../page/controls.js';
+import {layOut} from '../page/layout.js';
+import {pensFor} from '../page/svg.js';
+import {turnByHand} from '../space/space.js';
 import {clamped, fragmentOf, shown, startOf, stateFrom} from './state.js';
-import {canvasBelow, turnByHand} from './space.js';
-import {steering} from './steer.js';
-import {Pen, mark} from './svg.js';
-
-const calm = matchMedia('(prefers-reduced-motion: reduce)');
-
-// What is ticked or chosen has its own control.
-const kindOf = ({isToggle, isChoice}) => isToggle ? Toggle : isChoice ? Choice : undefined;
 
 // Does something once, a while after it was last asked for.
 function later(milliseconds, what) {
@@ -18,19 +12,6 @@ function later(milliseconds, what) {
     clearTimeout(timer);
     timer = setTimeout(what, milliseconds);
   };
-}
-
-// Beside each other, or, where the page is narrow, one below the other.
-function pensFor(views, width) {
-  const inOneRow = width >= 560 || views.length === 1, gap = 24, pens = [];
-  const each = inOneRow ? (width - gap * (views.length - 1)) / views.length : width;
-  let corner = [0, 0];
-  for (const view of views) {
-    const pen = new Pen(view, each, corner);
-    corner = inOneRow ? [corner[0] + each + gap, 0] : [0, corner[1] + pen.height + gap];
-    pens.push(pen);
-  }
-  return pens;
 }
 
 export class Figure {
@@ -42,64 +23,8 @@ export class Figure {
     Object.assign(this, {element, own, words, announce, id: element.id, state: startOf(own.parameters)});
     this.tell = later(500, () => announce(this.told.textContent));
     this.keep = later(300, () => history.replaceState(null, '', fragmentOf(this.id, this.state)));
-    this.build();
+    layOut(this);
     addEventListener('hashchange', () => this.follow());
-  }
-
-  build() {
-    const {own, words} = this;
-    const now = (name) => () => this.shownPlace(name), moved = (name) => name === own.steered?.by ? steering(this) : (wished) => {
-      if (name === own.play?.of) this.stop();
-      this.change(name, this.meant(name, wished));
-    };
-    const controls = (Kind, wanted) => Object.entries(own.parameters)
-        .filter(([, {isPlace = false, isExact}]) => !isExact && isPlace === wanted)
-        .map(([name, parameter]) =>
-          new (kindOf(parameter) ?? Kind)(name, parameter, words[name], now(name), moved(name)));
-    this.handles = controls(Handle, true);
-    this.sliders = controls(Slider, false);
-    this.drawing = mark('g', {'aria-hidden': true});
-    this.picture = mark('svg', {role: 'group', 'aria-label': words.title, 'aria-describedby': `${this.id}-told`},
-                        this.drawing, ...this.handles.map(({element}) => element));
-    if (own.rightButton) this.aim(own.rightButton);
-    this.answers = make('dl', {className: 'answers'});
-    this.told = make('p', {className: 'told', id: `${this.id}-told`});
-    this.link = make('a', {textContent: words.link});
-    this.line = make('code');
-    const elements = (controls) => controls.map(({element}) => element);
-    this.element.replaceChildren(
-      make('div', {className: 'picture'}, ...(own.space ? [this.canvas = canvasBelow()] : []), this.picture), this.answers,
-      make('div', {className: 'sliders'}, ...elements(this.sliders)),
-      make('div', {className: 'buttons'}, ...this.buttons(), this.link), this.told,
-      make('details', {}, make('summary', {textContent: words.run}), make('pre', {className: 'shell', tabIndex: 0}, this.line)),
-      make('figcaption', {innerHTML: words.caption}));
-    this.element.hidden = false;
-  }
-
-  // A cross-hair follows the pointer, and the right button sets a place of the state there (paper, 2.4.3).
-  aim(name) {
-    const hair = mark('path', {class: 'hair', 'aria-hidden': true});
-    this.picture.append(hair);
-    const at = ({clientX, clientY}) => {
-      const {left, top} = this.picture.getBoundingClientRect();
-      return [clientX - left, clientY - top];
-    };
-    this.picture.addEventListener('pointermove', (event) => {
-      const [x, y] = at(event);
-      hair.setAttribute('d', `M${x},0V${this.pens[0].height}M0,${y}H${this.pens[0].width}`);
-    });
-    this.picture.addEventListener('pointerleave', () => hair.removeAttribute('d'));
-    this.picture.addEventListener('contextmenu', (event) => {
-      event.preventDefault();
-      this.change(name, this.pens[0].world(at(event)));
-    });
-  }
-
-  buttons() {
-    const reset = button(this.words.reset, () => { this.stop(); this.state = startOf(this.own.parameters); this.changed(); });
-    if (!this.own.play || calm.matches) return [reset];
-    this.player = button(this.words.play, () => this.play(!this.playing));
-    return [this.player, reset];
   }
 
   /// Begins to answer, once the book's C++ is there.

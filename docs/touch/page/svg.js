@@ -100,3 +100,16 @@ export class Pen {
     return mark('text', {x: x + dx, y: y + dy, class: kind, 'text-anchor': anchor}, ...letters(text));
   }
 }
+
+/// A pen for each view: beside each other, or, where the page is narrow, one below the other.
+export function pensFor(views, width) {
+  const inOneRow = width >= 560 || views.length === 1, gap = 24, pens = [];
+  const each = inOneRow ? (width - gap * (views.length - 1)) / views.length : width;
+  let corner = [0, 0];
+  for (const view of views) {
+    const pen = new Pen(view, each, corner);
+    corner = inOneRow ? [corner[0] + each + gap, 0] : [0, corner[1] + pen.height + gap];
+    pens.push(pen);
+  }
+  return pens;
+}

@@ -1,6 +1,6 @@
 // What is steered: a key is a step, and while its handle is held it goes on towards the pointer. A step begins where the one
 // before has ended.
-import {clamped} from './state.js';
+import {clamped} from '../core/state.js';
 
 const inEachPicture = 0.04;  // of the way to the pointer
 

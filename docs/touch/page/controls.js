@@ -1,6 +1,6 @@
 // What stands below a picture: a slider for each number, the answers, buttons, and the line that runs the same scene.
 import {wayOf} from './handles.js';
-import {shown} from './state.js';
+import {shown} from '../core/state.js';
 
 /// An element of the page; properties beginning with aria- or data- are attributes.
 export function make(name, properties = {}, ...children) {
