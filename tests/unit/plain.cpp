@@ -83,6 +83,34 @@ TEST_CASE("The face as one writes it first is not there for a ball from behind, 
   CHECK(touch_face(from_behind, Facet(triangle))->time == Approx(2.5 / 4));
 }
 
+TEST_CASE(
+    "The triangle as one writes it first is not there for a ball that overlaps it, and the library's at time "
+    "0 is") {
+  const Triangle triangle{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  const Moving<Sphere> within{{{0, -0.3, 0.1}, 0.2}, {0, 0, -1}};
+  CHECK_FALSE(general_sphere_chapter::plain_triangle(within, triangle));
+  const auto contact = sweep(within, triangle);
+  REQUIRE(contact);
+  CHECK(contact->time == 0);
+}
+
+TEST_CASE(
+    "The triangle as one writes it first loses points at thin triangles, and the library's loses none") {
+  std::mt19937 random(9);
+  using program::unit_vector;
+  int lost = 0;
+  for (int i = 0; i < 2000; ++i) {
+    CAPTURE(i);
+    const Vector along = unit_vector(random), up = along.cross(unit_vector(random)).normalized();
+    const Point a = unit_vector(random), b = a + along;
+    const Point c = a + 0.5 * along + 1e-12 * along.cross(up);
+    const Moving<Sphere> point{{Point(a + 0.4 * along + up), 0}, -2 * up};
+    if (!general_sphere_chapter::plain_triangle(point, {a, b, c})) ++lost;
+    CHECK(sweep(point, Triangle{a, b, c}).has_value());
+  }
+  CHECK(lost > 50);
+}
+
 TEST_CASE("The triangle as one writes it first agrees with the library's where nothing is extraordinary") {
   std::mt19937 random(8);
   using program::unit_vector;

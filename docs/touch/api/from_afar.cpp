@@ -2,6 +2,7 @@
 #include "04_general_sphere/from_afar.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "page.hpp"
 
@@ -30,4 +31,6 @@ FOR_THE_PAGE(from_afar)(double distance, double beside) {
   tell_entered("float", shot.in_float, shot);
   tell_entered("double", shot.in_double, shot);
   tell("drawn/beside", beside);
+  const std::optional<double> printed = shot.in_float.textbook, right = shot.in_double.stable;
+  if (printed && right) tell("drawn/apart", std::abs(*printed - *right) * shot.way.norm());
 }

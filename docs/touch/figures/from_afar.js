@@ -36,6 +36,6 @@ export const fromAfar = {
     [words.doublePrinted, [afar.double.textbook === undefined ? words.none : shown(afar.double.textbook), 'printed']],
     [words.doubleStable, [shown(afar.double.stable), 'right']]],
 
-  told: (state, {drawn: {float, double}}, words) => !double?.stable ? words.misses
-    : float?.textbook ? words.apart(shown(Math.abs(float.textbook[0] - double.stable[0]))) : words.lost,
+  told: (state, {drawn: {apart, double}}, words) => !double?.stable ? words.misses
+    : apart === undefined ? words.lost : words.apart(shown(apart)),
 };
