@@ -24,6 +24,7 @@ export function openBrowser() {
 /// A tab of such a view; what goes wrong in it is told with the name that `named` gives.
 export async function openTab(browser, view, named) {
   const page = await browser.newPage(view);
+  page.setDefaultTimeout(180000);  // on a machine that has other work, too
   page.on('console', (message) => { if (message.type() === 'error') complain(named(), `console: ${message.text()}`); });
   page.on('pageerror', (error) => complain(named(), `error: ${error.message}`));
   page.on('request', (request) => { if (!/^(file|data|about|javascript):/.test(request.url())) complain(named(), `asks for ${request.url()}`); });
