@@ -70,6 +70,17 @@ TEST_CASE("A pose goes in and out as a 4x4 matrix, whatever the turn") {
   }
 }
 
+TEST_CASE("A pose that is turned half round, or nearly so, keeps its digits, whatever its axis") {
+  for (const Vector& axis :
+       {Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1), Vector(1, 2, -3), Vector(-3, 1, 0.1)})
+    for (const double lacking : {0.0, 1e-12, 1e-9, 1e-6, 1e-3}) {
+      CAPTURE(axis, lacking);
+      const Matrix there = Rigid::turned(axis, std::numbers::pi - lacking).transform().matrix();
+      const Quaternion turn = pose(0, there).orientation.normalized();
+      CHECK((turn.toRotationMatrix() - there.topLeftCorner<3, 3>()).cwiseAbs().maxCoeff() <= 1e-15);
+    }
+}
+
 TEST_CASE("A matrix that stretches, shears, mirrors or is projective is no pose") {
   Matrix stretched = Matrix::Identity(), sheared = stretched, mirrored = stretched, projective = stretched;
   stretched(0, 0) = 1.001;
