@@ -11,7 +11,7 @@ namespace {
 
 /// Is a touch below a ball kept, whose face rises along x by a slope? All lengths are in a unit.
 bool is_kept(double slope, double unit) {
-  const double radius = unit, tolerance = rounding_of_distance * unit;
+  const double radius = 0.95 * unit, tolerance = rounding_of_distance * radius;
   const Vector inward(unit, 0, slope * unit);
   const Facet face(Triangle({0, 0, 0}, inward, {0, unit, 0}));
   const Touch touch{0.5, radius, {0, 0, 1}, {0, 0, 0}, Feature::edge, tolerance};
