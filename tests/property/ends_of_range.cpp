@@ -1,4 +1,5 @@
 // The ends of the range of numbers that contact.hpp promises: what is far apart in size, and what is beyond.
+#include <array>
 #include <cmath>
 
 #include "catch.hpp"
@@ -7,8 +8,10 @@
 #include "first_contact/geometry/box.hpp"
 #include "first_contact/geometry/plane.hpp"
 #include "first_contact/geometry/transform.hpp"
+#include "first_contact/motion/arc_length.hpp"
 #include "first_contact/motion/bounce.hpp"
 #include "first_contact/motion/sweep_along.hpp"
+#include "first_contact/motion/through_points.hpp"
 #include "first_contact/motion/tween.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_sphere.hpp"
@@ -64,6 +67,17 @@ TEST_CASE("Between knots that nearly coincide a curve is fast, and has its lengt
     CAPTURE(span);
     const BSpline bent({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 0}}, 1, {0, 0, span, 2 * span, 1, 1});
     CHECK(ArcLength(bent).total() == Approx(3).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("A slow piece with a cusp is as long behind a fast one as alone") {
+  const Bezier cusp = Bezier({{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}}).part(0, 0.77);
+  const Bezier fast({{-1, 0, 0}, {0, 0, 0}});
+  for (const double span : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    CAPTURE(span);
+    const BSpline both = joined(std::array{fast, cusp}, std::array{span, 1.0});
+    CHECK(ArcLength(both).total() ==
+          Approx(1 + ArcLength(cusp).total()).epsilon(4 * ArcLength::relative_error));
   }
 }
 

@@ -172,7 +172,7 @@ TEST_CASE("A batch gives the same times on every kind of processor, whatever its
 
 TEST_CASE("A batch gives the same times wherever its columns begin in a page of the memory", "[batch]") {
   const std::size_t step = GENERATE(as<std::size_t>{}, 0, 1, 8, 36, 512);  // doubles; a page holds 512
-  const std::size_t count = GENERATE(as<std::size_t>{}, 1000, 1003);  // whole lines of the memory, or not
+  const std::size_t count = GENERATE(as<std::size_t>{}, 1000, 1003, 1007, 1015, 1023);  // whole lines, or not
   constexpr std::size_t room = 2048;
   const Balls p = first(count, balls(11, 1)), q = first(count, balls(12, 1));
   MovingColumns p_columns(p), q_columns(q);

@@ -236,3 +236,18 @@ TEST_CASE("dimforge/parry PR 206: overlapping and separating is no contact", "[s
   CHECK(overlap(leaving.shape, Sphere{{0, 0, 0}, 2}));
   CHECK_FALSE(sweep(leaving, Sphere{{0, 0, 0}, 2}));
 }
+
+TEST_CASE("Spheres that are tiny beside their way touch by their offset from it, or pass each other") {
+  for (const double size : {0x1p-200, 0x1p-500, 0x1p-600, 0x1p-900}) {
+    CAPTURE(size);
+    const auto meet = [&](double offset) {
+      return sweep(Moving{Sphere{{1, offset * size, 0}, 0.5 * size}, Vector(-2, 0, 0)},
+                   Sphere{{0, 0, 0}, 0.5 * size});
+    };
+    const auto contact = meet(0.6);
+    REQUIRE(contact);
+    CHECK(contact->time == Approx(0.5));
+    CHECK((contact->normal - Vector(0.8, 0.6, 0)).norm() < 1e-14);
+    CHECK_FALSE(meet(1.1));
+  }
+}
