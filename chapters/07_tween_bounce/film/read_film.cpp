@@ -202,7 +202,9 @@ Film film_of(const std::string& text, const std::string& name, const std::filesy
 Film film_named(const std::string& word) {
   for (const auto& [name, text] : scenes())
     if (word == name) return film_of(std::string(text), word, ".");
-  if (word.starts_with('{')) return film_of(word, "film", ".");
+  if (const std::size_t begin = word.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+      begin != word.npos && word[begin] == '{')
+    return film_of(word, "film", ".");
   if (word.find_first_of("./\\") == std::string::npos)
     throw FilmError("must be a JSON file, or one of " + scene_names());
   const std::filesystem::path file = word;

@@ -2,6 +2,7 @@
 #include "first_contact/program/terrain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "first_contact/bvh/bvh.hpp"
@@ -44,12 +45,23 @@ Point wish(const Point& from, const touch::View& view, double across, double awa
   return touch::in_thousandths(to);
 }
 
+// A ball that has grown, or that an address puts into the ground, is lifted to where one that falls would lie,
+// and a thousandth at most above. One that lies there is left, though its last digits may be below.
+Point lifted(const Point& from, double radius) {
+  constexpr double above = 20, within = 1e-6;
+  const auto ground =
+      sweep(Moving<Sphere>{{{from.x(), from.y(), above}, radius}, {0, 0, -2 * above}}, hills());
+  const double rest = ground ? above - 2 * above * ground->time : from.z();
+  return from.z() > rest - within ? from : Point(from.x(), from.y(), std::ceil(1000 * rest) / 1000);
+}
+
 }  // namespace
 
 FOR_THE_PAGE(terrain)
 (double x, double y, double z, double across, double away, double pull, double radius, double turn,
  double tilt) {
-  const Point from{x, y, z}, to = wish(from, touch::View(turn, tilt, from), across, away, pull);
+  const Point from = lifted({x, y, z}, radius);
+  const Point to = wish(from, touch::View(turn, tilt, from), across, away, pull);
   const Slide path = slide(Moving<Sphere>{{from, radius}, to - from}, hills());
   tell_path(path);
   tell("drawn/from", from);

@@ -89,12 +89,12 @@ export class Figure {
   /// Lets one number run from its least value to its most, in so many seconds.
   play(on) {
     const {of, seconds} = this.own.play, {least, most} = this.own.parameters[of];
-    this.playing = on;
+    const run = this.playing = on && {};
     this.player.textContent = on ? this.words.pause : this.words.play;
     if (!on) return;
     const first = this.state[of] < most ? this.state[of] : least, begun = performance.now();
     const step = () => {
-      if (!this.playing) return;
+      if (this.playing !== run) return;
       const value = first + (performance.now() - begun) / 1000 / seconds * (most - least);
       this.change(of, value);
       if (value < most) requestAnimationFrame(step);

@@ -48,16 +48,18 @@ function decoded(fragment) {
   }
 }
 
+const isNumber = (text) => /^-?\d+(\.\d+)?(e[+-]?\d+)?$/.test(text) && Number.isFinite(+text);
+
 /// The state that an address asks for; what it does not say, or says wrongly, is as at the start.
 export function stateFrom(fragment, id, parameters) {
   const state = startOf(parameters), [own, said = ''] = decoded(fragment).split(':');
   if (own !== `#${id}`) return undefined;
   for (const part of said.split(';')) {
-    const [name, text = ''] = part.split('='), numbers = text.split(',').map(Number);
+    const [name, text = ''] = part.split('='), numbers = text.split(',');
     const parameter = Object.hasOwn(parameters, name) && parameters[name];
-    if (!parameter || !text || !numbers.every(Number.isFinite)) continue;
-    const {start} = parameter, several = Array.isArray(start);
-    if (numbers.length === (several ? start.length : 1)) state[name] = clamped(parameter, several ? numbers : numbers[0]);
+    if (!parameter || !numbers.every(isNumber)) continue;
+    const {start} = parameter, values = numbers.map(Number), several = Array.isArray(start);
+    if (values.length === (several ? start.length : 1)) state[name] = clamped(parameter, several ? values : values[0]);
   }
   return state;
 }

@@ -13,7 +13,7 @@ export const fastTree = {
   asks: 'fast_tree',
   views: [{...bunny.views[0], bottom: -6.4}],
   space: {...bunny.space, opacity: 0.45},
-  parameters: {step: number(1, {least: 0, most: 60, step: 1}), hand, aim, turn, tilt, radius},
+  parameters: {step: number(1, {least: 0, most: 120, step: 1}), hand, aim, turn, tilt, radius},
 
   numbers: ({turn, tilt, hand, aim, radius, step}) => [turn, tilt, ...hand, ...aim, radius, step],
   options: bunny.options,

@@ -28,6 +28,9 @@ const textOf = ({key0, key1, key2, time1: [time], in1, out1, in2, out2, box, res
 const boxAt = ([x, z]) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([i, k]) => [x + i * side / 2, z + k * side / 2]);
 const ahead = (point, normal) => point.map((each, i) => each + 0.7 * normal[i]);
 
+// As many as can be read.
+const firstOf = (contacts) => listed(contacts).slice(0, 4);
+
 function onStage(pen, {key0, key1, key2, box, time}, {last, contacts, drawn: {plan, way}}) {
   const all = pairs(way), made = all.slice(0, Math.floor(time / end * (all.length - 1)) + 1);
   return [
@@ -85,9 +88,9 @@ export const film = {
 
   answers: (state, {contacts, last}, words) => [
     [words.position, [`(${flat(last.place).map(shown).join(', ')})`]],
-    [words.contacts, ...listed(contacts).slice(0, 4).map(({time: at}) => [shown(at)])]],
+    [words.contacts, ...firstOf(contacts).map(({time: at}) => [shown(at)])]],
 
   told: ({time}, {contacts, last}, words) => [
-    words.met(listed(contacts).map(({time: at}) => shown(at)), shown(time)),
+    words.met(listed(contacts).length, firstOf(contacts).map(({time: at}) => shown(at)), shown(time)),
     words.at(flat(last.place).map(shown).join(', '))].join(' '),
 };

@@ -29,24 +29,25 @@ export class Handle {
     this.element.addEventListener('pointerdown', (event) => this.grab(event));
     this.element.addEventListener('pointermove', (event) => this.drag(event));
     for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
-      this.element.addEventListener(end, () => { this.held = undefined; });
+      this.element.addEventListener(end, ({pointerId}) => { if (pointerId === this.held?.pointer) this.held = undefined; });
     this.element.addEventListener('keydown', (event) => this.key(event));
   }
 
 //! [drag]
   grab(event) {
-    if (event.button > 0) return;
+    if (event.button > 0 || this.held) return;  // the first finger has it
     event.preventDefault();
     this.element.focus({preventScroll: true});
     this.element.setPointerCapture(event.pointerId);
     const at = placeOf(event, this.element.ownerSVGElement), own = this.pen.at(this.now());
-    this.held = [own[0] - at[0], own[1] - at[1]];  // a handle that is caught at its rim does not jump
+    // A handle that is caught at its rim does not jump.
+    this.held = {pointer: event.pointerId, beside: [own[0] - at[0], own[1] - at[1]]};
   }
 
   drag(event) {
-    if (!this.held) return;
-    const at = placeOf(event, this.element.ownerSVGElement);
-    this.moved(this.pen.world([at[0] + this.held[0], at[1] + this.held[1]]));
+    if (event.pointerId !== this.held?.pointer) return;
+    const at = placeOf(event, this.element.ownerSVGElement), {beside} = this.held;
+    this.moved(this.pen.world([at[0] + beside[0], at[1] + beside[1]]));
   }
 //! [drag]
 

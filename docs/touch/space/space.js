@@ -32,27 +32,29 @@ export function turnByHand(figure) {
   let held;
   picture.classList.add('turned');
   picture.addEventListener('pointerdown', (event) => {
-    if (event.button > 0 || event.target.closest('.handle')) return;
-    held = {x: event.clientX, y: event.clientY, turn: figure.state[turn], tilt: figure.state[tilt], moved: false};
+    if (held || event.button > 0 || event.target.closest('.handle')) return;
+    const {pointerId: pointer, clientX: x, clientY: y} = event;
+    held = {pointer, x, y, turn: figure.state[turn], tilt: figure.state[tilt], moved: false};
     picture.setPointerCapture(event.pointerId);
   });
-  picture.addEventListener('pointermove', ({clientX, clientY}) => {
-    if (!held) return;
+  picture.addEventListener('pointermove', ({clientX, clientY, pointerId}) => {
+    if (pointerId !== held?.pointer) return;
     const [x, y] = [clientX - held.x, clientY - held.y];
     held.moved ||= Math.hypot(x, y) > 4;
     if (!held.moved) return;
     figure.change(turn, around(held.turn - aPixel * x));
     figure.change(tilt, held.tilt + aPixel * y);
   });
-  picture.addEventListener('pointerup', ({clientX, clientY}) => {
+  picture.addEventListener('pointerup', ({clientX, clientY, pointerId}) => {
+    if (pointerId !== held?.pointer) return;
     const {left, top} = picture.getBoundingClientRect();
-    const pointed = held && !held.moved;
+    const pointed = !held.moved;
     held = undefined;
     if (!pointed || !point) return;
     figure.change(point, figure.pens[0].world([clientX - left, clientY - top]));
     if (figure.player) figure.play(true);
   });
-  picture.addEventListener('pointercancel', () => { held = undefined; });
+  picture.addEventListener('pointercancel', ({pointerId}) => { if (pointerId === held?.pointer) held = undefined; });
   const repaint = () => { figure.space?.repaint(); figure.show(); };
   new MutationObserver(repaint).observe(document.documentElement, {attributeFilter: ['class']});  // light or dark
 }

@@ -189,8 +189,8 @@ export const words = {
     at: (there) => `It is at (${there}).`, said: {
       time1: (t) => `at the time ${t}`, in1: partOf, out1: partOf, in2: partOf, out2: partOf},
     contacts: 'contacts at', position: 'place at <i>t</i>', part: 'part of the way',
-    met: (times, t) => times.length ? `Up to <i>t</i> = ${t} the ball touches ${times.length === 1 ? 'once' : times.length === 2 ? 'twice' :
-      `${times.length} times`}, at ${times.join(', ')}.` : `Up to <i>t</i> = ${t} the ball touches nothing.`,
+    met: (count, times, t) => count ? `Up to <i>t</i> = ${t} the ball touches ${count === 1 ? 'once' : count === 2 ? 'twice' :
+      `${count} times`}, ${count > times.length ? 'first ' : ''}at ${times.join(', ')}.` : `Up to <i>t</i> = ${t} the ball touches nothing.`,
   },
 
   'general-sphere': {
