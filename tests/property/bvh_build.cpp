@@ -2,7 +2,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -13,25 +12,11 @@
 #include "first_contact/bvh/build/parallel.hpp"
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/program/terrain.hpp"
+#include "property/failing_memory.hpp"
 
 using namespace first_contact;
 
 namespace {
-
-/// Of the next requests for memory, from any thread, one fails.
-std::atomic<long> requests_until_failure{-1};
-
-void* memory(std::size_t size, std::size_t unit) {
-  if (requests_until_failure >= 0 && requests_until_failure-- == 0) throw std::bad_alloc();
-  if (void* block = std::aligned_alloc(unit, (size / unit + 1) * unit)) return block;
-  throw std::bad_alloc();
-}
-
-struct FailingOnce {
-  explicit FailingOnce(long after) { requests_until_failure = after; }
-  ~FailingOnce() { requests_until_failure = -1; }
-  bool has_failed() const { return requests_until_failure < 0; }
-};
 
 /// Large enough that threads are worth starting.
 Mesh large_terrain() {
@@ -39,15 +24,6 @@ Mesh large_terrain() {
 }
 
 }  // namespace
-
-void* operator new(std::size_t size) { return memory(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t unit) {
-  return memory(size, static_cast<std::size_t>(unit));
-}
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t) noexcept { std::free(block); }
-void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
 
 TEST_CASE("What a part of the work throws reaches the caller, in whatever thread it ran") {
   const unsigned threads = GENERATE(1u, 2u, 7u);
