@@ -102,7 +102,10 @@ TEST_CASE(
       "--film film.json: keys[1].time: 0.5: must be after the key before, 0.7\n");
   check_refused("{\n  \"ball\": }", "--film film.json: line 2, column 11: ");
   check_refused(R"({"ball": {"radius": NaN}})", "--film film.json: line 1, column ");
-  check_refused(R"({"ball": {"radius": 1e999}})", "--film film.json: number overflow parsing '1e999'");
+  check_refused(R"({"ball": {"radius": 1e999}})",
+                "--film film.json: ball.radius: 1e999: must stay within the range of numbers");
+  check_refused(R"({"ball": {"radius": 1}, "keys": [{"time": 0, "place": [0, 1, -2e400]}]})",
+                "--film film.json: keys[0].place[2]: -2e400: must stay within the range of numbers");
   check_refused(R"({"ball": {"radius": 1}, )" + keys + R"(, "obstacles": [{"mesh": "no.off"}]})",
                 "--film film.json: obstacles[0].mesh: \"no.off\": no.off: ");
   check_refused("", "--film film.json: ");
@@ -118,10 +121,18 @@ TEST_CASE(
   check_refused(long_one, "--film film.json: pictures 25001: must be at most 2000\n");
 }
 
+TEST_CASE("A film's file is read whatever its name begins with") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "{brace}.json") << bounce;
+  CHECK(run_program("tween_bounce", {"--film", "{brace}.json", "--no-figures"}, folder.path()).status == 0);
+}
+
 TEST_CASE("A word that no film has is told which films there are") {
   const Run run = run_program("tween_bounce", {"--film", "hal"});
   CHECK(run.status == 2);
-  CHECK(run.err == "tween_bounce: --film hal: must be a JSON file, or one of hall, crate, ramp, squash\n");
+  CHECK(run.err ==
+        "tween_bounce: --film hal: must be a JSON file or its text, { }, or one of hall, crate, ramp, "
+        "squash\n");
 }
 
 TEST_CASE("Without a film there are neither pictures a second nor a time to freeze it") {

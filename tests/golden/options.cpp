@@ -18,6 +18,8 @@ struct Bad {
 };
 
 const std::vector<Bad> all_bad{
+    {"tween_bounce", {"--film", "{\"ball\":"}, {"--film", "line 1", "must be JSON (unexpected end of input"}},
+    {"tween_bounce", {"--film", "{\"ball\": [1, 1e999]}"}, {"--film", "ball[1]", "range of numbers"}},
     {"plane", {"--plane", "0,0,0,1"}, {"--plane", "0,0,0,1", "not zero"}},
     {"plane", {"--plane", "0,0,1"}, {"--plane", "0,0,1", "4 numbers"}},
     {"plane", {"--plane", "0,0,nan,1"}, {"--plane", "nan", "finite"}},

@@ -94,6 +94,24 @@ TEST_CASE("Two outputs of one run are two files") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "same"));
 }
 
+TEST_CASE("Where one output cannot be written, no other is: neither a table nor a picture") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "in.csv") << "0,0,5,0,0,0,1\n";
+  for (const std::string file : {"none/values", "."}) {
+    check_refused(
+        run_program("tween_bounce", {"--csv", "a.csv", "--values", file, "--out", "a"}, folder.path()),
+        {"--values " + file});
+    check_refused(run_program("tween_bounce", {"--film", "hall", "--csv", file, "--out", "a"}, folder.path()),
+                  {"--csv " + file});
+    check_refused(
+        run_program("general_sphere", {"--casts", "in.csv", "--results", file, "--out", "a"}, folder.path()),
+        {"--results " + file});
+  }
+  check_refused(run_program("tween_bounce", {"--csv", "a.csv", "--out", "in.csv"}, folder.path()),
+                {"--out in.csv"});
+  CHECK(files_in(folder.path()) == 1);
+}
+
 TEST_CASE("A program that cannot print says so: also its help") {
   for (const std::string option : {"--help", "--json", "--no-figures"}) {
     CAPTURE(option);

@@ -101,6 +101,25 @@ TEST_CASE("What cannot be read is refused by name: a folder, what is missing, wh
   CHECK(read_file(folder.file("a", std::string("\0b\n", 3))) == std::string("\0b\n", 3));
 }
 
+TEST_CASE("Of what has no end no more is read than is asked for") {
+  if (!fs::is_character_file("/dev/zero")) return;
+  CHECK_THROWS_WITH(read_file("/dev/zero", 1000), "/dev/zero: must end within 1000 bytes");
+}
+
+TEST_CASE("Whether a file can be written is known before, and asking leaves nothing") {
+  const Folder folder;
+  const fs::path file = folder.file("a", "old");
+  CHECK_NOTHROW(require_writable(file));
+  CHECK_NOTHROW(require_writable(folder.path() / "b"));
+  CHECK_NOTHROW(require_folder(folder.path() / "c" / "d"));
+  CHECK_THROWS_WITH(require_writable(folder.path()), ContainsSubstring("must be a file, not a folder"));
+  CHECK_THROWS_WITH(require_writable(folder.path() / "none" / "b"), ContainsSubstring("cannot be written"));
+  CHECK_THROWS_WITH(require_folder(file), ContainsSubstring("cannot be made"));
+  CHECK_THROWS_WITH(require_folder(file / "c"), ContainsSubstring("cannot be made"));
+  CHECK(read_file(file) == "old");
+  CHECK(folder.files() == 1);
+}
+
 TEST_CASE("A byte order mark is no part of a text, wherever the text goes on") {
   CHECK(without_byte_order_mark("\xEF\xBB\xBFv") == "v");
   CHECK(without_byte_order_mark("v\xEF\xBB\xBF") == "v\xEF\xBB\xBF");

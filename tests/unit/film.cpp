@@ -290,5 +290,6 @@ TEST_CASE("A film's text may stand where its name would") {
 }
 
 TEST_CASE("A word that is no film is told which there are") {
-  CHECK_THROWS_WITH(film_named("hal"), "must be a JSON file, or one of hall, crate, ramp, squash");
+  CHECK_THROWS_WITH(film_named("hal"),
+                    "must be a JSON file or its text, { }, or one of hall, crate, ramp, squash");
 }

@@ -42,6 +42,12 @@ class Watch {
     return true;
   }
 
+  /// Where the value stands that would be read next.
+  std::string next_place() {
+    if (!open_.empty()) ++open_.back().count;
+    return place();
+  }
+
  private:
   struct Open {
     bool is_list;
@@ -67,13 +73,24 @@ class Watch {
   std::vector<Open> open_;
 };
 
-// The reader's own words, without its own name: "[json.exception.parse_error.101] parse error at line 3, ...".
-std::string words_of(const json::exception& error) {
-  std::string words = error.what();
-  if (const std::size_t end = words.find("] "); end != std::string::npos) words.erase(0, end + 2);
-  const std::string prefix = "parse error at ";
-  if (words.starts_with(prefix)) words.erase(0, prefix.size());
-  return printable(words, 300);
+// What stands in a text between two marks.
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t first = text.find(begin) + begin.size();
+  return text.substr(first, text.find(end, first) - first);
+}
+
+// The place and the reason, of "[...] parse error at line 3, column 7: syntax error while parsing value - unexpected ...".
+FilmError no_json(const json::parse_error& error) {
+  const std::string all = error.what();
+  std::string reason = all.substr(std::min(all.size(), all.find(" - ") + 3));
+  for (std::size_t colon; (colon = reason.find(": ")) != reason.npos;) reason.replace(colon, 1, ",");
+  return FilmError(between(all, "parse error at ", ": ") + ": must be JSON (" + printable(reason, 300) + ")");
+}
+
+// The number, of "[...] number overflow parsing '1e999'".
+FilmError too_large(const std::string& place, const json::out_of_range& error) {
+  const std::string number = printable(between(error.what(), "'", "'"), quoted);
+  return FilmError(place + ": " + number + ": must stay within the range of numbers");
 }
 
 }  // namespace
@@ -81,8 +98,8 @@ std::string words_of(const json::exception& error) {
 Entry Entry::of(const std::string& text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw FilmError("begins with the mark of UTF-16: must be UTF-8");
+  Watch watch;
   try {
-    auto watch = Watch();
     const auto look = [&](int depth, json::parse_event_t event, json& value) {
       return watch(depth, event, value);
     };
@@ -90,8 +107,10 @@ Entry Entry::of(const std::string& text) {
     Entry all(whole, *whole, "");
     all.must_be_object();
     return all;
-  } catch (const json::exception& error) {
-    throw FilmError(words_of(error));
+  } catch (const json::parse_error& error) {
+    throw no_json(error);
+  } catch (const json::out_of_range& error) {
+    throw too_large(watch.next_place(), error);
   }
 }
 

@@ -202,13 +202,14 @@ Film film_of(const std::string& text, const std::string& name, const std::filesy
 Film film_named(const std::string& word) {
   for (const auto& [name, text] : scenes())
     if (word == name) return film_of(std::string(text), word, ".");
-  if (const std::size_t begin = word.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-      begin != word.npos && word[begin] == '{')
+  const std::filesystem::path file = word;
+  const std::size_t begin = word.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (std::error_code ignored;
+      word[std::min(begin, word.size() - 1)] == '{' && !std::filesystem::exists(file, ignored))
     return film_of(word, "film", ".");
   if (word.find_first_of("./\\") == std::string::npos)
-    throw FilmError("must be a JSON file, or one of " + scene_names());
-  const std::filesystem::path file = word;
-  return film_of(read_file(file), picture_name(file.stem().string()), file.parent_path());
+    throw FilmError("must be a JSON file or its text, { }, or one of " + scene_names());
+  return film_of(read_file(file, most_bytes), picture_name(file.stem().string()), file.parent_path());
 }
 
 }  // namespace tween_bounce

@@ -84,14 +84,20 @@ class Aside {
   fs::path path_;
 };
 
+// That another file may be made beside this one.
+void require_room_beside(const fs::path& target, const fs::path& file) {
+  const Aside aside(target);
+  write_to(aside.path(), std::ios::trunc, file, "");
+}
+
 // That a plain file may be replaced does not mean that it may be written.
-void require_writable(const fs::path& target, const fs::path& file) {
+void require_opened(const fs::path& target, const fs::path& file) {
   errno = 0;
   if (!std::ofstream(target, std::ios::binary | std::ios::app)) refuse_writing(file, last_error());
 }
 
 void replace(const fs::path& target, const fs::path& file, std::string_view content, bool exists) {
-  if (exists) require_writable(target, file);
+  if (exists) require_opened(target, file);
   Aside aside(target);
   write_to(aside.path(), std::ios::trunc, file, content);
   std::error_code error;
@@ -100,20 +106,38 @@ void replace(const fs::path& target, const fs::path& file, std::string_view cont
   if (error) refuse_writing(file, error);
 }
 
+struct Target {
+  fs::path path;
+  bool exists;
+  bool replaceable;  // a plain file, or none yet
+};
+
+Target target_of(const fs::path& file) {
+  if (file.empty()) throw FileError(file, "must be a file with a name");
+  const fs::path path = followed(file);
+  if (names_an_open_file(path)) return {path, true, false};
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none) refuse_writing(file, error);
+  if (fs::is_directory(status)) throw FileError(file, "must be a file, not a folder");
+  return {path, fs::exists(status), !fs::exists(status) || fs::is_regular_file(status)};
+}
+
 }  // namespace
 
 void write_file(const fs::path& file, std::string_view content) {
-  if (file.empty()) throw FileError(file, "must be a file with a name");
-  const fs::path target = followed(file);
-  if (target == "/dev/stdout") return write_stream(stdout, file, content);
-  if (target == "/dev/stderr") return write_stream(stderr, file, content);
-  std::error_code error;
-  const fs::file_status status = fs::status(target, error);
-  if (status.type() == fs::file_type::none) refuse_writing(file, error);
-  if (fs::is_directory(status)) throw FileError(file, "must be a file, not a folder");
-  const bool replaceable = !fs::exists(status) || fs::is_regular_file(status);
-  if (names_an_open_file(target) || !replaceable) return write_to(target, std::ios::app, file, content);
-  replace(target, file, content, fs::exists(status));
+  const Target target = target_of(file);
+  if (target.path == "/dev/stdout") return write_stream(stdout, file, content);
+  if (target.path == "/dev/stderr") return write_stream(stderr, file, content);
+  if (!target.replaceable) return write_to(target.path, std::ios::app, file, content);
+  replace(target.path, file, content, target.exists);
+}
+
+void require_writable(const fs::path& file) {
+  const Target target = target_of(file);
+  if (!target.replaceable) return;  // a pipe may wait for its reader
+  if (target.exists) require_opened(target.path, file);
+  require_room_beside(target.path, file);
 }
 
 void make_folder(const fs::path& folder) {
@@ -121,6 +145,16 @@ void make_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
     throw FileError(folder, "cannot be made (" + (error ? error.message() : "it is a file") + ")");
+}
+
+void require_folder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, ignored))
+    throw FileError(folder,
+                    "cannot be made (" + std::make_error_code(std::errc::not_a_directory).message() + ")");
+  require_room_beside(there / "a", folder);
 }
 
 }  // namespace first_contact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "first_contact/files/output.hpp"
 #include "first_contact/files/printable.hpp"
 #include "first_contact/program/numbers.hpp"
 #include "first_contact/program/one_file.hpp"
@@ -45,6 +46,18 @@ void require_different_files(const CLI::App& line) {
         throw Refused(out->get_name() + " " + printable(name) + ": must be another file than " +
                       other->get_name());
     }
+}
+
+void require_writable_files(const CLI::App& line) {
+  for (const CLI::Option* out : line.get_options()) {
+    if (out->count() == 0 || !is_written(*out)) continue;
+    const std::string name = out->as<std::string>();
+    try {
+      require_writable(name);
+    } catch (const FileError& error) {
+      throw Refused(out->get_name() + " " + printable(name) + ": " + error.what());
+    }
+  }
 }
 
 std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char* const* argv) {

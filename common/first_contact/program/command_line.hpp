@@ -22,4 +22,8 @@ std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char
 /// \throws Refused if one that is written is the same file as another.
 void require_different_files(const CLI::App& line);
 
+/// ... and it must be possible to write it: known before anything is done, and so before another file is written.
+/// \throws Refused if one cannot be written, as far as can be known before.
+void require_writable_files(const CLI::App& line);
+
 }  // namespace first_contact::program

@@ -179,6 +179,8 @@ int Program::execute(int argc, char** argv, const std::function<void()>& chapter
   }
   require_different_files(in.line);
   in.take_over();
+  require_writable_files(in.line);
+  if (draws()) checked("--out", [&] { require_folder(in.out); });
   run_chapter(chapter);
   if (!in.values_file.empty())
     checked("--values", [&] { write_file(in.values_file, to_string(in.values) + "\n"); });

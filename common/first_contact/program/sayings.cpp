@@ -138,7 +138,9 @@ constexpr Saying all[] = {
     {"must be no farther from the origin than {}", "與原點的距離不可大於 {}"},
     {"must be stop, as what moves is a box", "必須是 stop，因為移動的是盒子"},
     {"must not be where the body begins", "不可位於物體的起點"},
-    {"must be a JSON file, or one of {}", "必須是 JSON 檔，或下列之一：{}"},
+    {"must be a JSON file or its text, { }, or one of {}", "必須是 JSON 檔或其內容 { }，或下列之一：{}"},
+    {"line {}, column {}", "第 {} 行第 {} 欄"},
+    {"must be JSON ({})", "必須是 JSON（{}）"},
 
     // Files
     {"must be a file that exists and can be read{}", "必須是存在且可讀取的檔案{}"},
