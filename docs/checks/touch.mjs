@@ -87,8 +87,9 @@ const middleOf = async (handle) => {
 // space bar.
 async function moveByHand(page, figure, name) {
   const press = (key) => page.keyboard.press(key);
-  await figure.locator('.buttons button').last().click();
+  const reset = () => figure.locator('.buttons button').last().click();
   for (const handle of await figure.locator('.handle').all()) {
+    await reset();
     const label = `${name}, ${await handle.getAttribute('aria-label')}`;
     await expectChange(figure, label, 'the pointer', async () => {
       const [x, y] = await middleOf(handle);
@@ -99,8 +100,14 @@ async function moveByHand(page, figure, name) {
     });
     await expectChange(figure, label, 'an arrow', () => press('ArrowUp'));
     await expectChange(figure, label, 'Shift and an arrow', () => press('Shift+ArrowDown'));
+    const scrolled = () => page.evaluate(() => scrollY), before = await scrolled();
+    await expectChange(figure, label, 'a page', () => press('PageDown'));
+    await press('Home');
+    await press('End');
+    if (await scrolled() !== before) complain(label, 'the page is scrolled by the keys of a slider');
     if (!await handle.getAttribute('aria-valuetext')) complain(label, 'does not say its place');
   }
+  await reset();
   for (const slider of await figure.locator('input').all()) {
     const label = `${name}, ${await slider.getAttribute('aria-label')}`;
     const keys = await slider.getAttribute('type') === 'checkbox' ? ['Space'] : ['ArrowRight', 'ArrowRight', 'Shift+ArrowLeft'];
@@ -257,6 +264,18 @@ async function checkPage(browser, file, names) {
   return numbers;
 }
 
+// Where a script is not there, the figure says so.
+async function checkLack(browser, file, name) {
+  const page = await browser.newPage();
+  await page.route('**/touch-module.js', (route) => route.abort());
+  await page.goto(pathToFileURL(join(html, file)).href);
+  const figure = page.locator(`#touch-${name}`);
+  await figure.evaluate((element) => element.scrollIntoView());
+  await figure.getByText('touch-module.js is not there').waitFor({timeout: 5000})
+    .catch(() => complain(name, 'does not say that its script is not there'));
+  await page.close();
+}
+
 export async function checkTouch() {
   const pages = new Map();
   for (const {page, name} of shownByBuild().touch) pages.set(page, [...pages.get(page) ?? [], name]);
@@ -267,6 +286,8 @@ export async function checkTouch() {
   if (!browser) return 'not run';
   const fileOf = (page) => page.replaceAll('_', '-') + '.html';
   const counts = await Promise.all([...pages].map(([page, names]) => checkPage(browser, fileOf(page), names)));
+  const [[page, [name]]] = pages;
+  await checkLack(browser, fileOf(page), name);
   await browser.close();
   const numbers = counts.reduce((sum, count) => sum + count, 0);
   return `${shownByBuild().touch.length} figures in ${bytes} bytes, ${numbers} numbers of each state (the start and ${states} more, seed ${seed}) equal to the program's`;

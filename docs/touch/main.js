@@ -10,6 +10,12 @@ import {words} from './words/en.js';
 const announcer = make('div', {className: 'aloud', 'aria-live': 'polite'});
 const announce = (text) => { announcer.textContent = text; };
 
+// What cannot be loaded is told where the figure would stand.
+function lacks(figure, error) {
+  figure.element.replaceChildren(make('figcaption', {textContent: `${figure.words.title}: ${figure.words.lacks(error.message)}`}));
+  figure.element.hidden = false;
+}
+
 // The numbers first; what a picture in space needs may take longer.
 async function begin(figure) {
   const begun = performance.now(), measured = (what) => performance.measure(`${figure.id}: ${what}`, {start: begun});
@@ -22,11 +28,13 @@ async function begin(figure) {
   measured('first picture');
 }
 
+const start = (figure) => begin(figure).catch((error) => lacks(figure, error));
+
 const near = new IntersectionObserver((seen) => {
   for (const {target, isIntersecting} of seen) {
     if (!isIntersecting) continue;
     near.unobserve(target);
-    begin(target.figure);
+    start(target.figure);
   }
 }, {rootMargin: '800px'});
 
@@ -34,6 +42,6 @@ document.body.append(announcer);
 for (const element of document.querySelectorAll('figure.touch')) {
   const name = element.dataset.figure;
   element.figure = new Figure(element, figures[name], {...words.all, ...words[name]}, announce);
-  if (location.hash.startsWith(`#${element.id}:`)) begin(element.figure);
+  if (location.hash.startsWith(`#${element.id}:`)) start(element.figure);
   else near.observe(element);
 }

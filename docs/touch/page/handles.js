@@ -1,11 +1,13 @@
-// What can be moved: by a pointer, a finger or the arrows. A handle is a slider to who cannot see it, and says its place.
+// What can be moved: by a pointer, a finger or the keys. A handle is a slider to who cannot see it, and says its place.
 import {mark} from './svg.js';
 
-const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+// As sliders have it: a page is ten steps, and an end is beyond all steps.
+const ways = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+  PageUp: [0, 10], PageDown: [0, -10], Home: [-1e6, 0], End: [1e6, 0]};
 
 /// The way that a key asks for, in steps of a parameter: [x, y], or nothing.
 export function wayOf(event, {step, fine}) {
-  const way = arrows[event.key];
+  const way = ways[event.key];
   return way && !event.altKey && !event.ctrlKey && !event.metaKey && way.map((each) => each * (event.shiftKey ? fine : step));
 }
 

@@ -4,6 +4,7 @@ const partOf = (time, way) => `${way} of the way after ${time} of the time`;
 export const words = {
   all: {
     reset: 'Reset', play: 'Play', pause: 'Pause', link: 'A link to this scene', run: 'Run this',
+    lacks: (what) => `this figure cannot be shown here (${what}).`,
     place: (x, y) => `across ${x}, up ${y}`,
   },
 
