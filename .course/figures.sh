@@ -20,7 +20,7 @@ one_of() {
   local option=$1 value=$2 choice
   shift 2
   for choice in "$@"; do [[ "$value" != "$choice" ]] || return 0; done
-  say "course: figures $option $value: must be one of $(IFS='|'; echo "$*")"
+  say "course: figures $option '$value': must be one of $(IFS='|'; echo "$*")"
   exit 2
 }
 
@@ -59,7 +59,7 @@ figure_options() {
       --*=*) value=${1#*=} ;;
       --*) (($# > 1)) && [[ "$2" != --* ]] || { say "course: figures $1: must have a value"; exit 2; }
            value=$2; shift ;;
-      *) figures_named "$1" >/dev/null || { say "course: figures $1: must be a chapter or a figure"; exit 2; }
+      *) figures_named "$1" >/dev/null || { say "course: figures '$1': must be a chapter or a figure"; exit 2; }
          names="$names $(echo $(figures_named "$1"))"; shift; continue ;;
     esac
     shift
@@ -69,7 +69,7 @@ figure_options() {
       --theme) one_of --theme "$value" light dark grey; theme=$value ;;
       --lang) one_of --lang "$value" en zh-TW; lang=$value ;;
       --style) style=$(of_caller "$value")
-               [[ -n "$value" && -f "$style" && -r "$style" ]] || { say "course: figures --style $value: must be a file that can be read"; exit 2; } ;;
+               [[ -n "$value" && -f "$style" && -r "$style" ]] || { say "course: figures --style '$value': must be a file that can be read"; exit 2; } ;;
       --into) [[ -n "$value" ]] || { say "course: figures --into '': must name a folder"; exit 2; }
               into=$(of_caller "$value") ;;
       *) say "course: figures $option: must be an option that ./course figures --help lists"; exit 2 ;;

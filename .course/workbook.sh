@@ -10,10 +10,10 @@ folder_of() { local folder; for folder in chapters/[0-9][0-9]_*/exercises/"$1"/;
 title_of() { sed -n '1s/^# Exercise //p' "$(folder_of "$1")/task.md"; }
 
 must_be_exercise() {
-  [[ "$1" != *" "* && " $(exercises | tr '\n' ' ')" == *" $1 "* ]] || { say "course: exercise $1: must be one of $(exercises | tr '\n' ' ')"; exit 2; }
+  [[ "$1" != *" "* && " $(exercises | tr '\n' ' ')" == *" $1 "* ]] || { say "course: exercise '$1': must be one of $(exercises | tr '\n' ' ')"; exit 2; }
 }
 must_be_readable() {
-  [[ -f "$1" && -r "$1" ]] || { say "course: answer $1: must be a file that can be read"; exit 2; }
+  [[ -f "$1" && -r "$1" ]] || { say "course: answer '$1': must be a file that can be read"; exit 2; }
 }
 
 compile() {
@@ -103,7 +103,10 @@ check_exercise() {
   [[ $# -le 2 ]] || { say "course: check $3: must be an exercise and at most one file"; exit 2; }
   folder=$(folder_of "$id")
   file=$root/$folder/answer.hpp
-  [[ -z "${2:-}" ]] || file=$(of_caller "$2")
+  if (($# == 2)); then
+    [[ -n "$2" ]] || { say "course: answer '': must be a file that can be read"; exit 2; }
+    file=$(of_caller "$2")
+  fi
   must_be_readable "$file"
   build_judges_parts
   build_judge "$id" judge "$folder"/wrong/*.hpp
@@ -191,10 +194,11 @@ handed_out() {
 # Do stub, wrong answers and solutions draw what they should? For one exercise, or all.
 prove_exercises() {
   local id folder status=0
+  (($# <= 1)) || { say "course: prove $1 '$2': must be one exercise"; exit 2; }
+  (($# == 0)) || [[ "$1" == parts ]] || must_be_exercise "$1"
   build_judges_parts
   [[ "${1:-}" != parts ]] || return 0
   for id in ${1:-$(exercises)}; do
-    must_be_exercise "$id"
     folder=$(folder_of "$id")
     [[ -d "$solutions/$id" ]] || { say "course: solutions of $id: must be in $solutions/$id (SOLUTIONS=...)"; exit 2; }
     build_judge "$id" prove "$folder"/wrong/*.hpp "$(handed_out "$id")" "$solutions/$id"/*.hpp

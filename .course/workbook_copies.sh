@@ -115,7 +115,7 @@ grade_answer() {
 
 grade() {
   local from=${1:-} student id file word line json
-  [[ -n "$from" && $# -le 1 ]] || { say "course: grade ${*:-}: must be one folder of students' folders"; exit 2; }
+  [[ -n "$from" && $# -le 1 ]] || { say "course: grade '${*:-}': must be one folder of students' folders"; exit 2; }
   from=$(of_caller "$from")
   [[ -d "$from" ]] || { say "course: grade $1: must be a folder of students' folders"; exit 2; }
   [[ -n "$(find "$from" -mindepth 1 -maxdepth 1 -type d | head -n 1)" ]] || { say "course: grade $1: must be a folder of students' folders"; exit 2; }

@@ -41,6 +41,25 @@ check "nor by two lines" refused run $'plane\nbox'
 check "a line break in a command makes no second line of its refusal" refused $'fig\nures'
 check "two names for the tests are refused" refused test plane box
 check "verify looks at its options before it builds" refused verify --count many
+for wrong in --count --seed= '--count=1 --count 2' 5 '--count 99999999999999999999'; do
+  # shellcheck disable=SC2086
+  check "verify $wrong is refused" refused verify $wrong
+done
+for wrong in --foo --repetitions '--sides 10 x' '--judged 0' '--own --own=1' --out=; do
+  # shellcheck disable=SC2086
+  check "bench $wrong is refused" refused bench $wrong
+done
+for wrong in '--count x' --jobs=0 no-such-folder -x; do
+  # shellcheck disable=SC2086
+  check "mutants $wrong is refused" refused mutants $wrong
+done
+check "an empty copy is refused" refused run plane --mine=
+check "two exercises are not proven at once" refused prove 1a 2a
+check "nor one that is not there" refused prove 9z
+for command in "" run figures test fuzz check "check 1a" grade prove verify bench mutants notes; do
+  # shellcheck disable=SC2086
+  check "an empty word is refused, and shown: $command" eval "refused $command '' && says \"\$(./course $command '' 2>&1)\" \"''\""
+done
 check "two exercises at once are refused" refused check '1a 1b'
 mkdir -p build
 check "a language that the book does not speak is refused" refused notes --pdf --lang fr
@@ -62,6 +81,7 @@ rm -rf "$linked"
 
 say() { printf '%s\n' "$*"; }
 root=$PWD
+. .course/options.sh
 . .course/needs.sh
 . .course/build.sh
 . .course/figures.sh
@@ -87,6 +107,10 @@ check "Homebrew's own words" own_words Darwin none "brew install cmake ninja"
 check "MSYS2's own words" own_words MINGW64_NT-10.0 none "mingw-w64-ucrt-x86_64-cmake"
 check "elsewhere it is said what it is" own_words FreeBSD none "by whatever name they have here"
 
+allowed() { ("$@") >/dev/null 2>&1; }
+check "verify has its options" allowed verify_options --count 5 --seed=0
+check "bench has its options" allowed bench_options --sides 10 100 --own --repetitions=3 --out build/x --judged 5000
+check "mutants have their options" allowed mutants_options --count 5 sweep --seed=0 common/first_contact/sweep/course.cpp
 missing_from() { local log; log=$(mktemp); cat >"$log"; explain_configure "$log"; rm -f "$log"; }
 said=$(printf '%s\n' 'CMake Error at tests/CMakeLists.txt:3 (find_package):' \
   '  Could not find a package configuration file provided by "Catch2" with any of' | missing_from)
@@ -98,7 +122,7 @@ figure_options bunny figure-13
 check "figures of one name in two chapters, and another" [ "$names" == " 04_general_sphere/bunny 05_slide/bunny 07_tween_bounce/figure-13" ]
 check "the second of them is wanted" is_wanted build/drawn/05_slide/bunny.svg
 check "no other is" eval "! is_wanted build/drawn/05_slide/figure-10.svg"
-check "each figure that an essay shows has a caption" [ "$(captions | grep -c $'\t..*\t..*')" == "$(captions | wc -l)" ]
+check "each figure that an essay shows has a caption" [ "$(captions | grep -c $'\t..*\t..*')" -eq "$(captions | wc -l)" ]
 check "no formula is left in a caption" silent_of "$(captions)" "\\"
 
 elsewhere=$(mktemp -d)
