@@ -16,6 +16,23 @@ writable() {
   done
 }
 
+# What is removed when the launcher ends, also where it is stopped by a signal.
+remains=()
+remove_at_end() {
+  remains+=("$1")
+  trap 'rm -rf "${remains[@]}" || true' EXIT
+  trap 'exit 129' HUP
+  trap 'exit 130' INT
+  trap 'exit 143' TERM
+}
+
+# For who becomes another program, and so has no end of its own.
+remove_now() {
+  ((${#remains[@]} == 0)) || rm -rf "${remains[@]}"
+  remains=()
+  trap - EXIT HUP INT TERM
+}
+
 # Another ./course at work in the same folder is waited for. A lock left by one that was killed is taken over.
 alone() {
   [[ -z "${FIRST_CONTACT_ALONE:-}" ]] || return 0
@@ -28,9 +45,7 @@ alone() {
     sleep 1
   done
   echo $$ >build/at-work/process
-  trap 'rm -rf "$root/build/at-work"' EXIT
-  trap 'exit 130' INT
-  trap 'exit 143' TERM
+  remove_at_end "$root/build/at-work"
   export FIRST_CONTACT_ALONE=yes
 }
 
@@ -45,8 +60,7 @@ take_over() {
 }
 
 no_longer_alone() {
-  rm -rf "$root/build/at-work"
-  trap - EXIT
+  remove_now
   unset FIRST_CONTACT_ALONE
 }
 
@@ -101,16 +115,14 @@ make() {
   alone
   forget_if_moved "$preset"
   log=$(mktemp)
+  remove_at_end "$log"
   if ! cmake --preset "$preset" ${FIRST_CONTACT_WERROR:+-DFIRST_CONTACT_WERROR="$FIRST_CONTACT_WERROR"} \
          ${FIRST_CONTACT_MINE:+-DFIRST_CONTACT_MINE="$FIRST_CONTACT_MINE"} >"$log" 2>&1; then
     explain_configure "$log"
-    rm -f "$log"
     exit 1
   fi
   if ! NINJA_STATUS='[%f/%t] ' cmake --build --preset "$preset" ${1:+--target "$@"} 2>&1 | tee "$log" | show_progress; then
     sed -n '/^FAILED/,$p' "$log" | grep -v '^\[[0-9]*/' >&2 || cat "$log" >&2
-    rm -f "$log"
     exit 1
   fi
-  rm -f "$log"
 }

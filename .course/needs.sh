@@ -126,15 +126,14 @@ install_missing() {
   say "Installing:$missing"
   local log
   log=$(mktemp)
+  remove_at_end "$log"
   if ! { $as_root DEBIAN_FRONTEND=noninteractive apt-get update && $as_root DEBIAN_FRONTEND=noninteractive \
            apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=300 $missing; } >"$log" 2>&1 </dev/null; then
     tail -n 20 "$log" >&2
-    rm -f "$log"
     say "They could not be installed."
     ((EUID == 0)) || ask_administrator "$missing"
     exit 1
   fi
-  rm -f "$log"
 }
 
 # For a reader who may not install anything: all that the two commands of the README need, asked for at once.

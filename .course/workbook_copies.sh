@@ -122,6 +122,7 @@ grade() {
   build_judges_parts
   local room
   room=$(mktemp -d)
+  remove_at_end "$room"
   room=$(cd "$room" && pwd -P)
   find_walls "$room"
   say "Students' programs are shut in: $walls_are; 1 GB of memory and 5 s for an answer each."
@@ -145,7 +146,6 @@ grade() {
     comma=,
   done
   printf '\n}}\n' >>"$json"
-  rm -rf "$room"
   echo "The same as JSON: $json"
 }
 

@@ -160,5 +160,26 @@ echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/dev/CMakeCache.txt
 forget_if_moved dev
 check "a build of this folder is kept" [ -e build/dev/CMakeCache.txt ]
 
+
+# A command that stops who called it, in the midst of a command of the launcher.
+mkdir stops rest class class/ann
+printf '#!/bin/sh\nkill -"${SIGNAL:-TERM}" $PPID\n' >stops/cmake
+chmod +x stops/cmake
+export TMPDIR=$PWD/rest
+stopped() {  # STATUS, then what is done
+  local status=$1
+  shift
+  (caller=$PWD PATH=$PWD/stops:$PATH; . .course/words.sh; . .course/workbook.sh; . .course/workbook_copies.sh
+   build_judges_parts() { :; }
+   find_walls() { cmake; }
+   set -e
+   "$@") >/dev/null 2>&1
+  [[ $? == "$status" && ! -e build/at-work && -z "$(ls rest)" ]]
+}
+check "who is stopped while it builds leaves no file" stopped 143 make dev plane
+check "nor who is interrupted" eval "SIGNAL=INT stopped 130 make dev plane"
+check "nor who is stopped while it grades" stopped 143 grade class
+unset TMPDIR
+
 echo "launcher: $passed passed, $failed failed"
 exit $((failed > 0))
