@@ -15,6 +15,11 @@ must_be_exercise() {
 must_be_readable() {
   [[ -f "$1" && -r "$1" ]] || { say "course: answer '$1': must be a file that can be read"; exit 2; }
 }
+# What is included goes to the compiler between quotation marks, which know no escapes.
+must_be_includable() {
+  [[ "$2" != *[\"[:cntrl:]]* && "$2" != *\\ ]] ||
+    { say "course: $1 '$2': must have no quotation mark, no control character and no backslash at the end of its name"; exit 2; }
+}
 
 compile() {
   "$compiler" -std=c++20 -O1 -ffp-contract=off -D_GLIBCXX_ASSERTIONS -I chapters "$@"
@@ -31,6 +36,7 @@ is_newer() {
 # The parts of the judge that know no exercise: built once.
 build_judges_parts() {
   command -v "$compiler" >/dev/null || { say "course: compiler $compiler: must be there, e.g. g++ or clang++ (CXX=...)"; exit 1; }
+  must_be_includable folder "$root"
   mkdir -p "$made"
   local source object running=0
   local parts="value sheet verdict shrink student report drawing run"
@@ -108,6 +114,7 @@ check_exercise() {
     file=$(of_caller "$2")
   fi
   must_be_readable "$file"
+  must_be_includable answer "$file"
   build_judges_parts
   build_judge "$id" judge "$folder"/wrong/*.hpp
   echo "$(title_of "$id")"

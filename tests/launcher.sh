@@ -161,6 +161,16 @@ forget_if_moved dev
 check "a build of this folder is kept" [ -e build/dev/CMakeCache.txt ]
 
 
+. .course/words.sh
+. .course/workbook.sh
+. .course/workbook_copies.sh
+touch "$(printf 'a\nb.hpp')" 'a"b.hpp' 'a\'
+for name in "$(printf 'a\nb.hpp')" 'a"b.hpp' 'a\'; do
+  said=$(exercises() { echo 1a; }; caller=$PWD; check_exercise 1a "$name" 2>&1)
+  check "an answer that cannot be included is refused: $name" [ "$?: ${said##*: }" == \
+    "2: must have no quotation mark, no control character and no backslash at the end of its name" ]
+done
+
 # A command that stops who called it, in the midst of a command of the launcher.
 mkdir stops rest class class/ann
 printf '#!/bin/sh\nkill -"${SIGNAL:-TERM}" $PPID\n' >stops/cmake
@@ -169,7 +179,7 @@ export TMPDIR=$PWD/rest
 stopped() {  # STATUS, then what is done
   local status=$1
   shift
-  (caller=$PWD PATH=$PWD/stops:$PATH; . .course/words.sh; . .course/workbook.sh; . .course/workbook_copies.sh
+  (caller=$PWD PATH=$PWD/stops:$PATH
    build_judges_parts() { :; }
    find_walls() { cmake; }
    set -e
