@@ -21,8 +21,10 @@ must_be_includable() {
     { say "course: $1 '$2': must have no quotation mark, no control character and no backslash at the end of its name"; exit 2; }
 }
 
+# An index out of range and an empty optional are to end the program, with either standard library.
 compile() {
-  "$compiler" -std=c++20 -O1 -ffp-contract=off -D_GLIBCXX_ASSERTIONS -I chapters "$@"
+  "$compiler" -std=c++20 -O1 -ffp-contract=off -D_GLIBCXX_ASSERTIONS \
+    -D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_FAST -I chapters "$@"
 }
 
 # Is the first file there, and newer than all the others?
@@ -79,7 +81,7 @@ build_judge() {
 # The student's program: build_answer ID FILE PROGRAM. What the compiler says goes to PROGRAM.log.
 build_answer() {
   (
-    ulimit -t 60
+    ulimit -t 60 2>/dev/null || true  # not every system has it
     LC_ALL=C compile -Wall -Wfatal-errors -Dmain=main_of_the_student -I "$(folder_of "$1")" "-DANSWER=\"$2\"" ${4:-} \
       chapters/workbook/answer.cpp "$made/value.o" -o "$3" >"$3.log" 2>&1
   )

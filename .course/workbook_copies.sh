@@ -12,7 +12,7 @@ stub_of() { git show "HEAD:./$1" 2>/dev/null || cat "$1"; }
 
 # A task as plain Markdown: what only the notes can show is left out.
 plain_task() {
-  sed -e '/^\\folded /d' -e 's/\[\([^]]*\)\]([^)]*\.md[^)]*)/\1/g' -e 's/\\vec //g' -e 's/\\\(abs\|norm\){\([^}]*\)}/|\2|/g' \
+  sed -e '/^\\folded /d' -e 's/\[\([^]]*\)\]([^)]*\.md[^)]*)/\1/g' -e 's/\\vec //g' -e 's/\\abs{\([^}]*\)}/|\1|/g' -e 's/\\norm{\([^}]*\)}/|\1|/g' \
     -e 's/\\tfrac\([0-9]\)\([0-9]\)/\1\/\2/g' -e 's/\\cdot/·/g' -e 's/\\times/×/g' -e 's/\\infty/∞/g' -e 's/\\varepsilon/ε/g' \
     -e 's/\\le/≤/g' -e 's/\\ge/≥/g' -e 's/\\[,;]/ /g' "$1" | cat -s
 }
@@ -75,13 +75,28 @@ answer_of_student() {
 
 # Does an answer include anything but the compiler's headers, what it is given, and what lies beside it? Names the first.
 includes_elsewhere() {
-  local header room=$3
+  local header place room=$3
   for header in $(LC_ALL=C compile -M -I "$(folder_of "$1")" "$2" 2>/dev/null | tr -d '\\' | tr ' ' '\n' | grep / || true); do
-    case "$(cd "$(dirname "$header")" 2>/dev/null && pwd -P)/" in
+    place=$(cd "$(dirname "$header")" 2>/dev/null && pwd -P)/
+    case "$place" in
       "$room"/* | "$root/chapters/workbook"/* | "$root/$(folder_of "$1")"/ | /usr/* | /opt/* | /Library/* | /Applications/*) ;;
-      *) printf '%s\n' "$header"; return ;;
+      *) is_of_compiler "$place" || { printf '%s\n' "$header"; return; } ;;
     esac
   done
+}
+
+# Where the compiler looks for headers of its own, a folder a line: not every system keeps them in /usr.
+folders_of_compiler() {
+  local folder
+  { LC_ALL=C "$compiler" -E -x c++ -v /dev/null 2>&1 || true; } | sed -n '/^#include </,/^End of/s/^ //p' |
+    while IFS= read -r folder; do (cd "${folder% (framework directory)}" 2>/dev/null && pwd -P) || true; done
+}
+is_of_compiler() {
+  local folder
+  while IFS= read -r folder; do
+    [[ -z "$folder" || "$1" != "$folder"/* ]] || return 0
+  done <<<"$compilers_own"
+  return 1
 }
 
 # What shuts a program in: a room with nothing else in it and no network, or without network alone, or nothing.
@@ -125,6 +140,7 @@ grade() {
   remove_at_end "$room"
   room=$(cd "$room" && pwd -P)
   find_walls "$room"
+  compilers_own=$(folders_of_compiler)
   say "Students' programs are shut in: $walls_are; 1 GB of memory and 5 s for an answer each."
   json=build/workbook/grades.json
   { printf '{"walls": "%s", "students": {' "$walls_are"; } >"$json"
@@ -149,5 +165,5 @@ grade() {
   echo "The same as JSON: $json"
 }
 
-printable() { printf '%s' "$1" | tr -d '\000-\037\177'; }
+printable() { printf '%s' "$1" | LC_ALL=C tr -d '\000-\037\177'; }
 quoted() { printable "$1" | sed 's/[\\"]/\\&/g'; }

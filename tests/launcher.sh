@@ -164,12 +164,30 @@ check "a build of this folder is kept" [ -e build/dev/CMakeCache.txt ]
 . .course/words.sh
 . .course/workbook.sh
 . .course/workbook_copies.sh
+printf '%s\n' '\abs{x} and \norm{y}, \vec v' >task
+check "formulas of a task are plain" [ "$(plain_task task)" == "|x| and |y|, v" ]
 touch "$(printf 'a\nb.hpp')" 'a"b.hpp' 'a\'
 for name in "$(printf 'a\nb.hpp')" 'a"b.hpp' 'a\'; do
   said=$(exercises() { echo 1a; }; caller=$PWD; check_exercise 1a "$name" 2>&1)
   check "an answer that cannot be included is refused: $name" [ "$?: ${said##*: }" == \
     "2: must have no quotation mark, no control character and no backslash at the end of its name" ]
 done
+
+# A compiler whose headers lie in no folder that one would expect.
+mkdir -p own/include other
+touch own/include/vector other/a.hpp
+cat >compiler <<'END'
+#!/bin/sh
+here=$(cd "$(dirname "$0")" && pwd -P)
+case "$*" in
+  *" -M "*) printf 'answer.o: answer.hpp \\\n %s %s\n' "$here/own/include/vector" "$here/other/a.hpp" ;;
+  *) printf '#include <...> search starts here:\n %s\n %s (framework directory)\nEnd of search list.\n' "$here/none" "$here/own/include" >&2 ;;
+esac
+END
+chmod +x compiler
+compiler=$PWD/compiler
+compilers_own=$(folders_of_compiler)
+check "the compiler's own headers may be included, no others" [ "$(includes_elsewhere 1a answer.hpp "$PWD/room")" == "$(pwd -P)/other/a.hpp" ]
 
 # A command that stops who called it, in the midst of a command of the launcher.
 mkdir stops rest class class/ann

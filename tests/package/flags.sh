@@ -28,7 +28,7 @@ for compiler in g++ clang++; do
 done
 
 printf '%s\n' "${variants[@]}" |
-  xargs -P 2 -I{} bash -c 'printf "%s %s\n" "$(compile {} 2>"$work/log.$$" || tail -n 3 "$work/log.$$")" "{}"' | sort | tee "$work/all"
+  xargs -P 2 -I{} bash -c 'printf "%s %s\n" "$(compile $1 2>"$work/log.$$" || tail -n 3 "$work/log.$$")" "$1"' _ {} | sort | tee "$work/all"
 answers=$(cut -d' ' -f1 "$work/all" | sort -u | wc -l)
 ((answers == 1)) || { echo "the answers depend on the options"; exit 1; }
 (($(wc -l <"$work/all") == ${#variants[@]})) || { echo "a variant is missing"; exit 1; }
