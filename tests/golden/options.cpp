@@ -264,3 +264,17 @@ TEST_CASE("A folder that cannot be made is refused in the name of its option") {
   CHECK(run.status == 2);
   CHECK(run.err.find("--out " + below_a_file) != std::string::npos);
 }
+
+TEST_CASE("So is one behind a link that leads nowhere, or of a name that is too long") {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("loop", folder.path() / "loop");
+  std::filesystem::create_symlink("none", folder.path() / "nowhere");
+  for (const std::string& out :
+       {std::string("loop"), std::string("loop/a"), std::string("nowhere"), std::string(300, 'a')}) {
+    const Run run = run_program("plane", {"--out", out}, folder.path());
+    CAPTURE(run.err);
+    CHECK(run.status == 2);
+    CHECK(run.err.starts_with("plane: --out " + out.substr(0, 200)));
+    CHECK(run.err.find(": cannot be made (") != std::string::npos);
+  }
+}

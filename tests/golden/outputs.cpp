@@ -94,6 +94,14 @@ TEST_CASE("Two outputs of one run are two files") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "same"));
 }
 
+TEST_CASE("Two outputs that can be no files are not taken for one, but refused for what they are") {
+  const TemporaryFolder folder;
+  fs::create_symlink("loop", folder.path() / "loop");
+  check_refused(
+      run_program("tween_bounce", {"--csv", "loop", "--values", std::string(300, 'a')}, folder.path()),
+      {"cannot be written ("});
+}
+
 TEST_CASE("Where one output cannot be written, no other is: neither a table nor a picture") {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "in.csv") << "0,0,5,0,0,0,1\n";

@@ -120,6 +120,22 @@ TEST_CASE("Whether a file can be written is known before, and asking leaves noth
   CHECK(folder.files() == 1);
 }
 
+TEST_CASE("A folder of a name that leads nowhere is refused with the reason, before and when it is made") {
+  const Folder folder;
+  const fs::path loop = folder.path() / "loop", nowhere = folder.path() / "nowhere";
+  fs::create_symlink("loop", loop);
+  fs::create_symlink("none", nowhere);
+  for (const fs::path& name :
+       {loop, loop / "a", nowhere, nowhere / "a", folder.path() / std::string(300, 'a')}) {
+    CAPTURE(name);
+    CHECK_THROWS_AS(require_folder(name), FileError);
+    CHECK_THROWS_AS(make_folder(name), FileError);
+    CHECK_THROWS_WITH(require_folder(name), ContainsSubstring("cannot be made ("));
+    CHECK_THROWS_WITH(make_folder(name), ContainsSubstring("cannot be made ("));
+  }
+  CHECK(folder.files() == 2);
+}
+
 TEST_CASE("A byte order mark is no part of a text, wherever the text goes on") {
   CHECK(without_byte_order_mark("\xEF\xBB\xBFv") == "v");
   CHECK(without_byte_order_mark("v\xEF\xBB\xBF") == "v\xEF\xBB\xBF");

@@ -53,7 +53,8 @@ std::optional<std::string> render(const Studio& studio, const fs::path& script, 
   if (!missing.empty()) tell_once(missing);
   run_gnuplot(program, studio, script, format);
   const fs::path picture = fs::path(script).replace_extension(format);
-  const std::string drawn = fs::exists(picture) ? read_file(picture) : "";
+  std::error_code ignored;
+  const std::string drawn = fs::exists(picture, ignored) ? read_file(picture) : "";
   if (!is_whole(drawn, format))
     throw std::runtime_error(program.string() + " ended with status 0 but drew no whole " +
                              picture.filename().string() + ": must be a gnuplot that works, with room in " +

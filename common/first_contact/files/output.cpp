@@ -18,6 +18,10 @@ namespace fs = std::filesystem;
   throw FileError(file, "cannot be written" + (error ? " (" + error.message() + ")" : std::string()));
 }
 
+[[noreturn]] void refuse_making(const fs::path& folder, const std::error_code& error) {
+  throw FileError(folder, "cannot be made (" + error.message() + ")");
+}
+
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 // Open files appear under these names: links, but to what has no name of its own, or another already.
@@ -29,8 +33,9 @@ bool names_an_open_file(const fs::path& file) {
 
 // Where a chain of symbolic links ends, also if nothing is there.
 fs::path followed(const fs::path& file) {
-  fs::path end = fs::absolute(file);
   std::error_code error;
+  fs::path end = fs::absolute(file, error);
+  if (error) refuse_writing(file, error);
   for (int links = 0; !names_an_open_file(end) && fs::is_symlink(fs::symlink_status(end, error)); ++links) {
     if (links == 40) refuse_writing(file, std::make_error_code(std::errc::too_many_symbolic_link_levels));
     end = end.parent_path() / fs::read_symlink(end, error);
@@ -123,6 +128,22 @@ Target target_of(const fs::path& file) {
   return {path, fs::exists(status), !fs::exists(status) || fs::is_regular_file(status)};
 }
 
+// A folder, or the nearest above it that is there. A name that is too long or a link that leads nowhere, or
+// in a loop, is not passed by: no folder could be made there.
+fs::path nearest_above(const fs::path& folder) {
+  std::error_code error;
+  fs::path place = fs::absolute(folder, error);
+  if (error) refuse_making(folder, error);
+  for (; place.has_relative_path(); place = place.parent_path()) {
+    const fs::file_type type = fs::status(place, error).type();
+    if (type == fs::file_type::none) refuse_making(folder, error);
+    if (type != fs::file_type::not_found) break;
+    if (fs::is_symlink(fs::symlink_status(place, error)))
+      refuse_making(folder, std::make_error_code(std::errc::no_such_file_or_directory));
+  }
+  return place;
+}
+
 }  // namespace
 
 void write_file(const fs::path& file, std::string_view content) {
@@ -141,19 +162,17 @@ void require_writable(const fs::path& file) {
 }
 
 void make_folder(const fs::path& folder) {
-  std::error_code error;
+  std::error_code error, ignored;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
-    throw FileError(folder, "cannot be made (" + (error ? error.message() : "it is a file") + ")");
+  if (fs::is_directory(folder, ignored)) return;
+  refuse_making(folder, error ? error : std::make_error_code(std::errc::not_a_directory));
 }
 
 void require_folder(const fs::path& folder) {
+  const fs::path there = nearest_above(folder);
   std::error_code ignored;
-  fs::path there = fs::absolute(folder);
-  while (!fs::exists(there, ignored) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, ignored))
-    throw FileError(folder,
-                    "cannot be made (" + std::make_error_code(std::errc::not_a_directory).message() + ")");
+    refuse_making(folder, std::make_error_code(std::errc::not_a_directory));
   require_room_beside(there / "a", folder);
 }
 

@@ -11,7 +11,8 @@ bool are_one_file(const std::string& one, const std::string& other) {
   const auto place = [&](const std::string& name) {
     return fs::weakly_canonical(fs::absolute(name, none), none);
   };
-  return !fs::exists(other, none) && place(one) == place(other);
+  const fs::path there = place(one);  // empty where there can be no file
+  return !fs::exists(other, none) && !there.empty() && there == place(other);
 }
 
 }  // namespace first_contact::program
