@@ -108,6 +108,9 @@ TEST_CASE(
                 "--film film.json: keys[0].place[2]: -2e400: must stay within the range of numbers");
   check_refused(R"({"ball": {"radius": 1}, )" + keys + R"(, "obstacles": [{"mesh": "no.off"}]})",
                 "--film film.json: obstacles[0].mesh: \"no.off\": no.off: ");
+  check_refused(
+      R"({"ball": {"radius": 1}, )" + keys + R"(, "obstacles": [{"mesh": "no\u0000.off"}]})",
+      "--film film.json: obstacles[0].mesh: \"no\\u0000.off\": no\\x00.off: must be a file that exists");
   check_refused("", "--film film.json: ");
 }
 

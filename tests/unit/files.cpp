@@ -101,6 +101,13 @@ TEST_CASE("What cannot be read is refused by name: a folder, what is missing, wh
   CHECK(read_file(folder.file("a", std::string("\0b\n", 3))) == std::string("\0b\n", 3));
 }
 
+TEST_CASE("A name with a zero in it is no file's, and a message shows all of it") {
+  const Folder folder;
+  const fs::path name = folder.file("nul", "read by mistake").string() + std::string("\0.obj", 5);
+  CHECK_THROWS_WITH(read_file(name),
+                    ContainsSubstring("nul\\x00.obj: must be a file that exists and can be read"));
+}
+
 TEST_CASE("Of what has no end no more is read than is asked for") {
   if (!fs::is_character_file("/dev/zero")) return;
   CHECK_THROWS_WITH(read_file("/dev/zero", 1000), "/dev/zero: must end within 1000 bytes");

@@ -32,6 +32,9 @@ std::string all_of(std::istream& in, const fs::path& file, std::size_t most) {
 std::string read_file(const fs::path& file, std::size_t most) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) throw FileError(file, "must be a file, not a folder");
+  if (file.native().find(fs::path::value_type{}) !=
+      fs::path::string_type::npos)  // the system would read up to there
+    throw FileError(file, "must be a file that exists and can be read");
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError(file, "must be a file that exists and can be read" + reason());
