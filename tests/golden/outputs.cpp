@@ -4,6 +4,7 @@
 #include <future>
 
 #include "catch.hpp"
+#include "places.hpp"
 #include "run_program.hpp"
 
 namespace fs = std::filesystem;
@@ -127,6 +128,18 @@ TEST_CASE("A program that cannot print says so: also its help") {
     CHECK(run.status == 1);
     CHECK(run.err.find("standard output") != std::string::npos);
   }
+}
+
+TEST_CASE("Where there is no room for a script, TMPDIR is named, which it is written in, and the reason") {
+  const TemporaryFolder folder;
+  const std::string plane = std::string(first_contact::places::build) + "/bin/plane";
+  const Run run = run_command("sh", {"-c", "trap '' XFSZ; ulimit -f 0; exec \"$0\" --out \"$1\"", plane,
+                                     (folder.path() / "out").string()});
+  CAPTURE(run.err);
+  CHECK(run.status == 1);
+  CHECK(run.err.starts_with("plane: TMPDIR "));
+  CHECK(run.err.find(std::make_error_code(std::errc::file_too_large).message()) != std::string::npos);
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
 }
 
 TEST_CASE("Two runs into one folder at the same time leave each picture whole") {

@@ -59,7 +59,7 @@ void Figure::data(std::string_view name, const Table& rows, int digits) {
 void Figure::close() {
   if (!session_->stream) return;
   session_->stream->flush();
-  if (!*session_->stream) throw FileError(session_->script, "cannot be written");
+  if (!*session_->stream) session_->folder.refuse_writing();
   session_->stream.reset();
   make_folder(studio_.folder);
   keep("gp", read_file(session_->script));
