@@ -37,6 +37,7 @@ const std::vector<Bad> all_bad{
     {"plane", {"--values", "", "--no-figures"}, {"--values ''", "not empty"}},
     {"plane", {"--style", "."}, {"--style .", "file"}},
     {"plane", {"--colour", "red"}, {"--colour", "an option"}},
+    {"plane", {""}, {"''", "an option"}},
     {"plane", {"--colour=red"}, {"--colour=red", "an option"}},
     {"plane", {"-r", "1"}, {"-r", "an option"}},
     {"plane", {"--json=yes"}, {"--json=yes", "an option"}},

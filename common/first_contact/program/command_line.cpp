@@ -68,7 +68,7 @@ std::vector<std::string> arguments_of(const CLI::App& line, int argc, const char
     arguments.push_back(word);
     const CLI::Option* const option = option_with_value(line, name);
     if (option == nullptr && line.get_option_no_throw(word) == nullptr)
-      throw Refused(printable(word) + ": must be an option that --help lists");
+      throw Refused((word.empty() ? "''" : printable(word)) + ": must be an option that --help lists");
     if (option == nullptr) continue;
     std::string value = word.substr(std::min(name.size() + 1, word.size()));
     if (name == word) {
