@@ -1,9 +1,11 @@
 #include "first_contact/figure/short_svg.hpp"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
+
+#include "first_contact/files/decimal.hpp"
 
 namespace first_contact::figure {
 
@@ -24,13 +26,17 @@ struct Place {
   long x, y;
 };
 
+// The number that the text begins with; the text is moved behind it, and behind the mark that ends it.
+double next_number(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
+  const double number = decimal(text.substr(0, end)).value_or(0);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return number;
+}
+
 // The next of gnuplot's corners, "12.34,5.67 "; the text is moved behind it.
 Place next_place(std::string_view& points) {
-  double x = 0, y = 0;
-  const char* const end = points.data() + points.size();
-  const char* at = std::from_chars(points.data(), end, x).ptr;
-  at = std::from_chars(at == end ? at : at + 1, end, y).ptr;
-  points.remove_prefix(static_cast<std::size_t>((at == end ? at : at + 1) - points.data()));
+  const double x = next_number(points), y = next_number(points);
   return {std::lround(10 * x), std::lround(10 * y)};
 }
 
