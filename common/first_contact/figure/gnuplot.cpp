@@ -54,15 +54,24 @@ std::string words(const std::string& said) {
 }
 
 // In the child, before it becomes gnuplot: it dies with this program where the system offers that, and by an
-// alarm clock of its own in any case. No signal is blocked or ignored there that ends it.
-void end_in_time([[maybe_unused]] double seconds) {
+// alarm clock of its own in any case. No signal is blocked or ignored there that ends it. Boost can do so on
+// POSIX's systems alone: others make no child before its program is there.
+#ifdef BOOST_POSIX_API
+void end_in_time(double seconds) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
 #endif
-#if defined(__unix__) || defined(__APPLE__)
   alarm(static_cast<unsigned>(std::ceil(seconds)) + 1);
-#endif
 }
+
+auto at_its_beginning(double seconds) {
+  return process::extend::on_exec_setup = [seconds](auto&) { end_in_time(seconds); };
+}
+#else
+auto at_its_beginning(double) {
+  return process::extend::on_setup = [](auto&) {};
+}
+#endif
 
 // gnuplot at work, and whatever it starts; stopped if it is not waited for.
 class Child {
@@ -75,8 +84,7 @@ class Child {
     gnuplot_ = process::child(
         program.string(), process::args = arguments, process::start_dir = folder.string(),
         process::std_in<process::null, process::std_out> process::null,
-        process::std_err > complaints_.string(), environment, group_,
-        process::extend::on_exec_setup = [seconds](auto&) { end_in_time(seconds); });
+        process::std_err > complaints_.string(), environment, group_, at_its_beginning(seconds));
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
