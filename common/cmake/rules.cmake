@@ -13,7 +13,8 @@ endif()
 # values are reproduced bit for bit, and the derived error bounds hold.
 function(house_rules target)
   if(MSVC)
-    target_compile_options(${target} PRIVATE /fp:precise /utf-8 /bigobj /permissive-)
+    target_compile_options(${target} PRIVATE /fp:precise /utf-8 /bigobj /permissive-
+                           $<$<CXX_COMPILER_ID:Clang>:/clang:-ffp-contract=off>)
   else()
     target_compile_options(${target} PRIVATE -ffp-contract=off)
   endif()
