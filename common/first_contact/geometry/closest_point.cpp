@@ -28,9 +28,12 @@ Point closest_point(const Point& point, const Point& a, const Point& b, const Po
   };
   offer(closest_point(point, b, c));
   offer(closest_point(point, c, a));
-  const Vector normal = CornerNormal(a, b, c).normal;
-  if (const auto weights = weights_where_line_meets(normal, a - point, b - point, c - point))
-    offer(a + weights->y() * (b - a) + weights->z() * (c - a));
+  const Facet facet({a, b, c});
+  if (!weights_where_line_meets(facet.normal, a - point, b - point, c - point)) return best;
+  // From the point down: to add up sides would cost the rounding of the longest, and a needle is much lower than that.
+  const Vector normal = facet.unit_normal();
+  const Point foot = point - dot(normal, point - facet.corner) * normal;
+  if (!facet.is_beyond_needle(foot, rounding_of_distance * size)) offer(foot);
   return best;
 }
 

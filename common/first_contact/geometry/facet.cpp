@@ -50,4 +50,12 @@ bool Facet::thin_for(double radius) const {
   return !(2 * eps * (unit * radius) * (longest * longest * longest) < length * length);
 }
 
+bool Facet::is_beyond_needle(const Point& place, double tolerance) const {
+  if (length > 2 * tolerance * unit * longest) return false;
+  const auto& [a, b, c] = triangle;
+  const Point &from = corner == a ? b : a, &to = corner == c ? b : c;
+  const Vector side = to - from;
+  return dot(place - from, side) < 0 || dot(place - to, side) > 0;
+}
+
 }  // namespace first_contact

@@ -20,7 +20,9 @@ std::optional<Entry> first_root(const Vector& m, const Vector& v, double r, doub
   const double slack = a * tolerance * (2 * r + tolerance);
   double discriminant = a * r * r - squared_norm(moment);
   if (!(discriminant >= -slack)) return std::nullopt;
-  const double t = discriminant < 0 ? -b / a : c / (-b + std::sqrt(discriminant));
+  // Not after the closest approach: of a point that starts on the ball and goes along it, b, c and D are but rounding.
+  const double closest = -b / a;
+  const double t = discriminant < 0 ? closest : std::min(c / (-b + std::sqrt(discriminant)), closest);
   if (!(t <= 1)) return std::nullopt;
 
   // From the closest approach, go back along the path by half the chord.

@@ -137,6 +137,8 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
   std::optional<double> t = apart ? -gap / approach : 0;
   if (flat) t = landing(moving, low, facet, gap, approach, tolerance);
   if (!t) return std::nullopt;
+  if (!flat && !surely_within && facet.is_beyond_needle(center - low + *t * moving.displacement, tolerance))
+    return std::nullopt;
 
   const double distance = std::min(radius, std::abs(height) / facet.length);
   return Touch{
@@ -147,13 +149,17 @@ std::optional<Touch> touch_face(const Moving<Sphere>& moving, const Facet& facet
 //! [touch_edge]
 std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, const Point& b) {
   const auto& [center, radius] = moving.shape;
-  const Vector e = b - a, m = center - a;
-  const double length = norm(e), size = norm(m) + length + norm(moving.displacement) + radius;
+  const Vector side = b - a, m = center - a;
+  const double size = norm(m) + norm(side) + norm(moving.displacement) + radius;
   if (!is_ordinary(size))
     return in_unit(moving, size, [&](const Moving<Sphere>& scaled, double unit) {
       return touch_edge(scaled, unit * a, unit * b);
     });
   const double tolerance = rounding_of_distance * size;
+
+  const Vector e =
+      is_ordinary(norm(side)) ? side : Vector(unit_scale(largest(side)) * side);  // any length will do
+  const double length = norm(e);
 
   // e x turns the plane across the edge by a right angle, stretched by |e|: the cylinder becomes a ball.
   const auto entry = first_root(e.cross(m), e.cross(moving.displacement), length * radius,
@@ -162,7 +168,7 @@ std::optional<Touch> touch_edge(const Moving<Sphere>& moving, const Point& a, co
   const Vector arrival = m + entry->time * moving.displacement;
   const double along = dot(arrival, e);
   const bool before_a = along < 0;
-  const bool behind_b = dot(arrival - e, e) > 0;
+  const bool behind_b = dot(arrival - side, e) > 0;
   if (before_a || behind_b) return std::nullopt;  // not on this edge: its ends answer
 
   const Vector normal = normalized(entry->direction.cross(e));

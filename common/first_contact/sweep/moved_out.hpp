@@ -1,5 +1,4 @@
 #pragma once
-#include <limits>
 #include <optional>
 
 #include "first_contact/geometry/facet.hpp"
@@ -24,14 +23,6 @@ struct Touch {
   Feature feature;
   double tolerance;  ///< how far rounding may have moved the distance
 };
-
-/// By how much a computed distance between a moving sphere and a feature may be wrong, in units of eps
-/// (distance of the centre from the feature's corner + length of the feature + path + r). The distance to an
-/// edge is the worst: a difference, a cross product, the closest approach and the root add up to less than 8
-/// eps of that. This is twice as much: what is wrong by 8 eps must be taken for a touch, and may in truth be
-/// wrong by 8 eps more.
-/// \see tests/oracle/sphere_triangle.cpp, tests/oracle/verify.cpp
-inline constexpr double rounding_of_distance = 16 * std::numeric_limits<double>::epsilon();
 
 /// The centre meets the face moved out by r, on the side where it starts: t = -(E'.S0) / (N.V), if it arrives
 /// within the face. A sphere that overlaps the face at the start, its centre over the face, touches at t = 0
