@@ -5,6 +5,8 @@
 #include "chance.hpp"
 #include "first_contact/bvh/bvh.hpp"
 #include "first_contact/geometry/closest_point.hpp"
+#include "first_contact/sweep/box_box.hpp"
+#include "first_contact/sweep/box_mesh.hpp"
 #include "first_contact/sweep/sphere_box.hpp"
 #include "first_contact/sweep/sphere_mesh.hpp"
 #include "first_contact/sweep/sphere_triangle.hpp"
@@ -126,5 +128,32 @@ TEST_CASE("The normal at a tiny edge is of length 1, in whatever unit the scene 
     REQUIRE(contact);
     CHECK(std::abs(norm(contact->normal) - 1) < 1e-15);
     CHECK(std::abs(contact->time - 0.5) < 1e-15);
+  }
+}
+
+TEST_CASE("Two boxes, or a box and a triangle, meet far from the origin when they meet at the origin") {
+  Chance chance(5);
+  const double far = GENERATE(1e3, 1e9, 1e15);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector move =
+        std::exp2(std::round(std::log2(far))) * Vector(whole(chance, 3), whole(chance, 3), whole(chance, 3));
+    const Vector start = Vector(whole(chance, 4), whole(chance, 4), whole(chance, 4)),
+                 sides = chance.vector(0.1);
+    const Vector way = -1.5 * start + chance.vector(0.2);
+    const auto box = [](const Point& center, const Vector& s) {
+      return Box(center, {s.x(), 0, 0}, {0, s.y(), 0}, {0, 0, s.z()});
+    };
+    const Box still = box({0, 0, 0}, {0.3, 0.2, 0.1}), afar = box(move, {0.3, 0.2, 0.1});
+    const auto here = sweep(Moving<Box>(box(start, sides), way), still),
+               there = sweep(Moving<Box>(box(start + move, sides), way), afar);
+    CAPTURE(i, far);
+    REQUIRE(here.has_value() == there.has_value());
+    if (here) REQUIRE(here->time == there->time);
+    const Triangle face({0, 0, 0}, {1, 0, 0}, {0, 1, 1});
+    const Triangle moved(move, Point(move + face.b), Point(move + face.c));
+    const auto on_face = sweep(Moving<Box>(box(start, sides), way), face),
+               on_moved = sweep(Moving<Box>(box(start + move, sides), way), moved);
+    REQUIRE(on_face.has_value() == on_moved.has_value());
+    if (on_face) REQUIRE(on_face->time == on_moved->time);
   }
 }

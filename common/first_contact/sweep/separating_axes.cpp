@@ -156,6 +156,13 @@ Hull::Hull(const Triangle& triangle) : vertices{triangle.a, triangle.b, triangle
   }
 }
 
+Hull about_origin(const Box& box) { return Hull(Box(Point::Zero(), box.r, box.s, box.t)); }
+
+Hull seen_from(const Point& origin, Hull hull) {
+  for (Point& vertex : hull.vertices) vertex -= origin;
+  return hull;
+}
+
 std::vector<Vector> separating_axes(const Hull& a, const Hull& b) {
   std::vector<Vector> axes = a.normals;
   axes.insert(axes.end(), b.normals.begin(), b.normals.end());

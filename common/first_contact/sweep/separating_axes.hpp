@@ -27,6 +27,12 @@ struct Hull {
   bool flat;                    ///< has it no inside?
 };
 
+/// A box about the origin. Whoever asks of two sees both from one of them, lest their corners round by eps of how far off
+/// they are.
+Hull about_origin(const Box& box);
+/// The hull as seen from there.
+Hull seen_from(const Point& origin, Hull hull);
+
 /// The directions along which two hulls may be apart although they share no point: unit, the normals first.
 std::vector<Vector> separating_axes(const Hull& a, const Hull& b);
 
