@@ -81,10 +81,10 @@ set style arrow 3 nohead front lt 1 lc rgb GREY lw 1.2 dt (6,5)
 set style arrow 4 nohead front lt 1 lc rgb INK lw 1.4
 unset border; unset tics; unset key; set size ratio -1
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
-set xrange [-2.64595331:11.0898781]
-set yrange [-4.83195622:2.83494507]
-set label "21.7°" at 9.75289276,1.35446398 left offset character 0.4,0.3 front tc rgb RED
-set label "{/:Italic C}" at 9.88549511,0.453109644 center offset character 1.1,0.5 front tc rgb RED
+set xrange [-2.6459533:11.0898777]
+set yrange [-4.8319562:2.83494505]
+set label "21.7°" at 9.75289284,1.35446389 left offset character 0.4,0.3 front tc rgb RED
+set label "{/:Italic C}" at 9.88549513,0.453109658 center offset character 1.1,0.5 front tc rgb RED
 set label "closed" at 1.50960702,-4.32322172 center offset character 0,0 front tc rgb INK
 set label "opening" at 8.50960702,-4.32322172 center offset character 0,0 front tc rgb INK
 $s0 << EOD

@@ -54,6 +54,32 @@ double size_of(const RigidTween& tween, double other) {
 
 }  // namespace
 
+// Distances from below the gap up, tilts of the axis from none to what closes the distance, and sinking.
+TEST_CASE("A lid that turns near a face is never nearer than its contact says, and touches within the gap") {
+  const std::uint64_t seed = 1312;
+  Chance chance(seed);
+  int hits = 0;
+  const Mesh floor({{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  for (int i = 0; i < 150; ++i) {
+    const double height = chance.log_uniform(1e-8, 1e-2), tilt = height * chance.log_uniform(1e-3, 10);
+    const double sunk = chance.pick(2) == 0 ? 0 : height * chance.uniform(-2, 1);
+    const Vector axis = Vector(0, 0, 1) + (chance.pick(3) == 0 ? 0 : tilt) * chance.direction();
+    const Mesh lid = surface_of({{0.1, 0, height + 0.25}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}});
+    const Turning<Mesh> turning(lid, chance.vector(1), axis, chance.uniform(-6, 6),
+                                {chance.uniform(-1, 1), 0, sunk});
+    const double gap = turning_gap * 4, until_end = away(lid, floor);
+    const auto contact = sweep(turning, floor, {turning_gap * 4});
+    const double until = contact ? contact->time : 1;
+    CAPTURE(seed, i, height, tilt, sunk, until);
+    for (int k = 0; k <= 60; ++k)
+      REQUIRE(away(turned(turning, until * k / 60), floor) >= std::min(0.49 * gap, until_end - 0.51 * gap));
+    if (contact) REQUIRE(away(turned(turning, until), floor) <= 1.01 * gap);
+    hits += contact.has_value();
+  }
+  CHECK(hits > 20);
+  CHECK(hits < 140);
+}
+
 TEST_CASE(
     "Before the contact of a random body that turns dense sampling finds none, and at it the gap is closed") {
   const std::uint64_t seed = 1311;

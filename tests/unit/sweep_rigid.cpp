@@ -82,6 +82,16 @@ TEST_CASE(
   CHECK(times[0] == times[1]);
 }
 
+TEST_CASE("A box that spins a millionth above another does not touch it, and a millionth within it does") {
+  const Box cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Quaternion quarter(std::cos(pi / 4), 0, 0, std::sin(pi / 4));
+  const auto spin = [&](double height) {
+    return RigidTween({{0, {0, 0, height}, upright}, {1, {0, 0, height}, quarter}});
+  };
+  CHECK_FALSE(sweep(spin(1.000001), cube, cube));
+  CHECK(sweep(spin(0.999999), cube, cube)->time == 0);
+}
+
 TEST_CASE("A thin wall is not jumped over, however fast the body spins by") {
   const Mesh wall({{5, -9, -9}, {5, 9, -9}, {5, 0, 20}}, {{0, 1, 2}});
   const RigidTween tween({{0, {0, 0, 0}, upright}, {0.001, {50, 0, 0}, about_y(3)}});

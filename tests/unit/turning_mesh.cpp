@@ -1,5 +1,6 @@
 #include "first_contact/sweep/turning_mesh.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
@@ -98,7 +99,49 @@ TEST_CASE("Before the first contact of a turn dense sampling finds none, and at 
   }
 }
 
-TEST_CASE("An axis without direction and an angle that is infinite are refused") {
+// By its speed alone, a step would be as short as the distance.
+TEST_CASE(
+    "A lid that turns on its box, and a drawer in its case, keep their distance at the price of few steps") {
+  const Box below({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  for (const double above : {1e-3, 1e-6, 2e-7}) {
+    const Box lid({0, 0, 1 + above}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    CAPTURE(above);
+    CHECK_FALSE(sweep(Turning<Box>(lid, {0, 0, 0}, {0, 0, 1}, 2 * pi), below));
+    CHECK_FALSE(sweep(Turning<Box>(lid, {0.3, 2, 0}, {0, 0, -1}, 3, {0.2, -3, 0}), below));
+    CHECK_FALSE(sweep(Turning<Box>(lid, {0, 0, 0}, {0, 0, 1}, 0, {3, 0.1, 0}), below));
+  }
+}
+
+// Askew, so that the difference of two near points has an error of 10^-5 of it: the normal must come from the features.
+TEST_CASE(
+    "A lid within the gap that turns on its box touches it, if at all, after the start and before the end") {
+  const Vector r = Vector(1, 2, 2) / 3, s = Vector(2, 1, -2) / 3, n = Vector(2, -2, 1) / 3;
+  for (const double above : {3e-8, 1e-8, 1e-9, 1e-10, 1e-11})
+    for (const double turned_by : {0.0, 0.6}) {
+      const double c = std::cos(turned_by), d = std::sin(turned_by);
+      const Box below({0, 0, 0}, r, s, n), lid((1 + above) * n, c * r + d * s, c * s - d * r, n);
+      const auto contact = sweep(Turning<Box>(lid, {0, 0, 0}, n, 7), below);
+      CAPTURE(above, turned_by);
+      if (contact) CHECK((contact->time > 0 && contact->time < 1));
+    }
+}
+
+TEST_CASE("A lid that sinks as it turns touches when it has sunk to its box, whichever way it turns") {
+  const Box below({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const Box lid({0, 0, 1.5}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  for (const double angle : {-100.0, -3.0, 0.0, 0.1, 7.0}) {
+    const auto contact = sweep(Turning<Box>(lid, {0, 0, 0}, {0, 0, 1}, angle, {0, 0, -1}), below);
+    CAPTURE(angle);
+    REQUIRE(contact);
+    CHECK(contact->time <= 0.5);
+    CHECK(contact->time >= 0.5 - 3 * turning_gap);
+    CHECK((contact->normal - Vector(0, 0, 1)).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("An axis without direction and an angle that is infinite, or more than 1e6, are refused") {
+  CHECK_THROWS_WITH(Turning<Mesh>(bar, {0, 0, 0}, {0, 0, 1}, 1e300),
+                    "angle 1e+300: must be at most 1e6 in size");
   CHECK_THROWS_AS(Turning<Mesh>(bar, {0, 0, 0}, {0, 0, 0}, 1), std::invalid_argument);
   CHECK_THROWS_AS(Turning<Mesh>(bar, {0, 0, 0}, {0, 0, 1}, INFINITY), std::invalid_argument);
 }

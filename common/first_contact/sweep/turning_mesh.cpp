@@ -1,6 +1,8 @@
 #include "first_contact/sweep/turning_mesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "first_contact/geometry/closest_point.hpp"
@@ -73,21 +75,86 @@ struct Advance {
   std::size_t triangle = no_triangle;
 };
 
+Point highest(const Triangle& triangle, const Vector& normal) {
+  Point most = triangle.a;
+  for (const Point& p : {triangle.b, triangle.c})
+    if (dot(normal, p - most) > 0) most = p;
+  return most;
+}
+
+/// What lies between two triangles that do not cross: no corner of the obstacle's is above the base.
+struct Slab {
+  Slab(const Vector& unit_normal, const Triangle& mover, const Triangle& obstacle)
+      : normal(unit_normal), base(highest(obstacle, normal)) {
+    thickness = dot(normal, highest(mover, -normal) - base);
+  }
+
+  Vector normal;
+  Point base;
+  double thickness = 0;
+};
+
+std::array<Vector, 3> edges(const Triangle& t) { return {t.b - t.a, t.c - t.b, t.a - t.c}; }
+
+// A slab is thicker than another if it is by more than this part of the scene: twice what a difference of two points and
+// its product with a normal round, 2 eps each.
+constexpr double rounding_of_slab = 8 * std::numeric_limits<double>::epsilon();
+
+// The thickest slab lies across the nearest points. Where these are so near that their difference has lost its digits,
+// it is found by the normals of the two faces, and those of an edge of each; of two that are parallel, by what of the
+// difference is at right angles to them.
+Slab slab_between(const Triangle& mover, const Triangle& obstacle, const NearestPoints& pair, double scale) {
+  const Vector across = normalized(pair.first - pair.second);
+  Slab best(across, mover, obstacle);
+  if (pair.distance() > 0x1p-12 * scale) return best;
+  const auto offer = [&](const Vector& vector) {
+    if (vector.isZero(0)) return;
+    const Slab slab(normalized(dot(vector, across) < 0 ? Vector(-vector) : vector), mover, obstacle);
+    if (slab.thickness > best.thickness + rounding_of_slab * scale) best = slab;
+  };
+  offer(mover.area_vector());
+  offer(obstacle.area_vector());
+  for (const Vector& edge : edges(mover))
+    for (const Vector& other : edges(obstacle)) {
+      const Vector normal = edge.cross(other);
+      const bool parallel = norm(normal) <= 0x1p-20 * norm(edge) * norm(other);
+      offer(parallel ? Vector(edge.cross(across).cross(edge)) : normal);
+    }
+  return best;
+}
+
 // Two triangles within the gap: nothing if they come nearer, or else for how long they surely are not deep.
 std::optional<double> leaving_time(const Scene& scene, double now, const Triangle& mover,
-                                   const NearestPoints& pair) {
+                                   const Triangle& obstacle, const NearestPoints& pair) {
   const double distance = pair.distance();
   if (scene.close.also_leaving || distance <= turning_touch * scene.scale) return std::nullopt;
-  const Vector normal = normalized(pair.first - pair.second);
+  const Slab slab = slab_between(mover, obstacle, pair, scene.scale);
   const Going going(scene.turning, now);
   const double known = going.speed_of({mover.a, mover.b, mover.c}) * 0x1p-48 * scene.scale / distance;
   double time = 1;
   for (const Point& p : {mover.a, mover.b, mover.c}) {
-    const Course course = going.of(p, normal, pair.second);
-    if (course.height <= scene.close.gap && course.rate < -known) return std::nullopt;
-    time = std::min(time, time_above(course.height <= scene.close.gap ? -scene.close.gap / 2 : 0, course));
+    const Course course = going.of(p, slab.normal, slab.base);
+    const bool near = course.height <= scene.close.gap;
+    if (course.height <= -scene.close.gap / 4 || (near && course.rate < -known)) return std::nullopt;
+    time = std::min(time, time_above(near ? -scene.close.gap / 2 : 0, course));
   }
   return time;
+}
+
+// Two triangles farther apart than the gap: for how long they surely stay half of it apart. By their distance, and how
+// fast the mover may be; or by the slab that lies between them, which what goes along it does not cross (Mirtich 1996).
+double apart_time(const Scene& scene, double now, double speed, const Triangle& mover,
+                  const Triangle& obstacle, const NearestPoints& pair) {
+  const double level = scene.close.gap / 2, by_speed = (pair.distance() - level) / speed;
+  const Slab slab = slab_between(mover, obstacle, pair, scene.scale);
+  const Going going(scene.turning, now);
+  double by_slab = 1;
+  for (const Point& p : {mover.a, mover.b, mover.c}) {
+    const Course course = going.of(p, slab.normal, slab.base);
+    if (!(course.height > level)) return by_speed;
+    by_slab = std::min(by_slab, time_above(level, course));
+  }
+  return std::max(by_speed, by_slab);
 }
 
 //! [safe_turn]
@@ -103,11 +170,11 @@ Advance safe_turn(const Scene& scene, double now) {
       const double room = norm(ball.center - other.center) - ball.radius - other.radius;
       if (room > scene.close.gap && room - scene.close.gap / 2 >= least.time * scene.speed[i])
         continue;  // too far to matter
-      const NearestPoints pair = nearest_points(triangle, scene.obstacle.triangle(j));
-      const double distance = pair.distance();
-      const auto time = distance > scene.close.gap
-                            ? std::optional((distance - scene.close.gap / 2) / scene.speed[i])
-                            : leaving_time(scene, now, triangle, pair);
+      const Triangle obstacle = scene.obstacle.triangle(j);
+      const NearestPoints pair = nearest_points(triangle, obstacle);
+      const auto time = pair.distance() > scene.close.gap
+                            ? apart_time(scene, now, scene.speed[i], triangle, obstacle, pair)
+                            : leaving_time(scene, now, triangle, obstacle, pair);
       if (!time) return {0, pair, j};
       least.time = std::min(least.time, *time);
     }

@@ -12,14 +12,18 @@
 
 namespace first_contact {
 
+/// How far a shape may turn, in radians: some 160 thousand times round. A part of its time still has the digits that a
+/// step needs, 2^-25 of a radian.
+inline constexpr double largest_turn = 1e6;
+
 /// A shape at t = 0 that turns about an axis, evenly, over t in [0, 1]; the axis may move, evenly too.
 template <class Shape>
 struct Turning {
   /// \param hinge  a point of the axis at t = 0
   /// \param direction  of the axis, of any length; the turn is anticlockwise as seen from its tip
-  /// \param by  the angle at t = 1, in radians
+  /// \param by  the angle at t = 1, in radians, at most `largest_turn` in size
   /// \param moved  how far the axis moves until t = 1
-  /// \throws std::invalid_argument if the direction is zero, or a value is not finite.
+  /// \throws std::invalid_argument if the direction is zero, the angle larger, or a value is not finite.
   Turning(Shape s, const Point& hinge, const Vector& direction, double by,
           const Vector& moved = Vector::Zero())
       : shape(std::move(s)), center(hinge), axis(normalized(direction)), angle(by), displacement(moved) {
@@ -27,7 +31,7 @@ struct Turning {
     require_finite(direction, "axis");
     require_finite(displacement, "displacement");
     if (direction.isZero(0)) refuse("axis 0, 0, 0", "must not be zero");
-    if (!std::isfinite(angle)) refuse("angle", angle, "must be finite");
+    if (!(std::abs(angle) <= largest_turn)) refuse("angle", angle, "must be at most 1e6 in size");
   }
 
   Shape shape;          ///< where it is at t = 0
@@ -39,9 +43,10 @@ struct Turning {
 
 /// Two meshes of which one turns count as touching from this distance on, in units of the scene: of the largest
 /// distance of any vertex of the two from the hinge, and the way of the hinge. It must be well above the rounding
-/// of a turned vertex and of a distance, 16 eps or so, and it sets the price of a near miss: a part that goes by at
-/// a distance just above it takes some 1 / sqrt(2^-24) = 4096 steps. A step turns by that part of a radian at the
-/// least, so the search ends.
+/// of a turned vertex and of a distance, 16 eps or so, and it sets the price of a near miss: a part that turns by at
+/// a distance just above it takes some 1 / sqrt(2^-24) = 4096 steps a radian. One that keeps its distance, a lid
+/// that turns on its box or a drawer in its case, is seen not to come nearer, and takes a few each time that another
+/// corner or edge is nearest. In each step the fastest point may go half of the gap, so the search ends.
 /// \see tests/unit/turning_mesh.cpp
 inline constexpr double turning_gap = 0x1p-24;
 
@@ -59,6 +64,9 @@ struct Closeness {
 /// apart and no point of the first is faster than V + R a (V the way of the hinge, a the angle, R how far it is from
 /// the axis at most), they cannot meet before the time d / (V + R a). So we go on by the least of these times,
 /// for distances less by half of the gap, measure again, and stop when a distance is within the gap. Nothing is ever passed over.
+///
+/// Nor can they before what is left of d along their normal, for each corner by its own rate and a bound of how the
+/// turn bends it (course.hpp), is used up: where that time is longer, it is taken.
 ///
 /// The time is never later than the true one but for rounding, and earlier by what the part needs to come nearer by
 /// the gap. What is within the gap is in contact if it comes nearer still, and leaves or goes along if not; then a
