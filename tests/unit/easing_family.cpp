@@ -150,7 +150,9 @@ TEST_CASE("Parameters out of range are refused, and named") {
   CHECK_THROWS_WITH(ease::power(-1), "easing's exponent -1: must be positive and finite");
   CHECK_THROWS_WITH(ease::elastic(0.5), "easing's amplitude 0.5: must be finite and at least 1");
   CHECK_THROWS_WITH(ease::elastic(1, 0), "easing's period 0: must be finite and at least 1/64");
-  CHECK_THROWS_WITH(ease::spring(100, 1), "spring's cycles 100: must be positive and at most 64");
+  CHECK_THROWS_WITH(ease::spring(100, 1), "spring's cycles 100: must be from 0.001 to 64");
+  CHECK_THROWS_WITH(ease::spring(1, 1e300), "spring's damping 1e+300: must be from 0.01 to 100");
+  CHECK_THROWS_WITH(ease::spring(1, 1e-6), "spring's damping 1e-06: must be from 0.01 to 100");
   for (const double bad : {0.0, no_number}) {
     CHECK_THROWS_AS(ease::power(bad), std::invalid_argument);
     CHECK_THROWS_AS(ease::exponential(bad), std::invalid_argument);

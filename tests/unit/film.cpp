@@ -208,6 +208,10 @@ TEST_CASE("A film that cannot be is refused by the place, the value and the rule
   way(R"("path": {"kind": "bezier", "points": [[1, 2, 3]], "constant_speed": 1})",
       "keys[0].path.constant_speed: 1: must be true or false");
   way(R"("easing": {"power": -1})", "keys[0].easing.power: -1: must be from 0 to 100");
+  way(R"("easing": {"spring": {"cycles": 0, "damping": 1}})",
+      "keys[0].easing.spring.cycles: 0: must be from 0.001 to 64");
+  way(R"("easing": {"spring": {"cycles": 1, "damping": 0.001}})",
+      "keys[0].easing.spring.damping: 0.001: must be from 0.01 to 100");
   way(R"("easing": {"power": 2, "steps": {"count": 2}})",
       "keys[0].easing: {\"power\":2,\"steps\":{\"count\":2}}: must have one of cubic-bezier, steps, spring, "
       "power, not "

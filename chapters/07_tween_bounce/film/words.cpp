@@ -64,7 +64,7 @@ Easing easing_with_numbers(const Entry& entry) {
       return ease::cubic_bezier(numbers[0], numbers[1], numbers[2], numbers[3]);
     }
     value.only({"cycles", "damping"});
-    return ease::spring(value.member("cycles").number(0, 64), value.member("damping").number(0, 100));
+    return ease::spring(value.member("cycles").number(0.001, 64), value.member("damping").number(0.01, 100));
   });
 }
 

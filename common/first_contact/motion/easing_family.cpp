@@ -55,10 +55,9 @@ Easing elastic(double amplitude, double period) {
 }
 
 Easing spring(double cycles, double damping) {
-  require(cycles > 0 && cycles <= 64, "spring's cycles", cycles, "must be positive and at most 64");
-  require(damping > 0, "spring's damping", damping, "must be positive and finite");
+  require(cycles >= 0.001 && cycles <= 64, "spring's cycles", cycles, "must be from 0.001 to 64");
+  require(damping >= 0.01 && damping <= 100, "spring's damping", damping, "must be from 0.01 to 100");
   const double end = formula::spring(1, cycles, damping);
-  if (!(end > 0)) refuse("spring's damping", damping, "must leave it time to move");
   return [=](double t) { return formula::spring(t, cycles, damping) / end; };
 }
 

@@ -105,7 +105,6 @@ constexpr Saying all[] = {
     {"must begin where the one before ends", "必須從前一個結束之處開始"},
     {"must be one more than the joints between them", "必須比其間的接點多一個"},
     {"must be a function", "必須是函數"},
-    {"must leave it time to move", "必須留下移動的時間"},
     {"too small for this curve", "對此曲線而言太小"},
     {"the height at sample {} must be finite", "第 {} 個取樣的高度必須是有限的"},
     {"must not jump, by steps, into what is in the way", "不可以 steps 跳進擋路的東西裡"},
