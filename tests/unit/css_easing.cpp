@@ -80,6 +80,21 @@ TEST_CASE("Staircases have the outputs of the specification, in and at the begin
   CHECK(ease::steps(5).turns().empty());
 }
 
+TEST_CASE("A straight piece whose inputs are so far apart that their difference overflows is as any other") {
+  const Easing given = ease::linear_through({{0, -1e308}, {1, 1e308}});
+  const Easing filled = ease::linear_through({{0, -1.5e308}, {0.5}, {1, 1.5e308}});
+  for (const double t : {0.25, 0.5, 0.75}) {
+    CHECK(given(t) == 0.5);
+    CHECK(filled(t) == 0.5);
+  }
+}
+
+TEST_CASE("The largest number of steps is half done after half of the time, wherever it jumps") {
+  const int most = std::numeric_limits<int>::max();
+  for (const Jump jump : {Jump::start, Jump::end, Jump::none, Jump::both})
+    CHECK(ease::steps(most, jump)(0.5) == Approx(0.5).epsilon(2.0 / most));
+}
+
 TEST_CASE("linear() spreads the inputs that are left out, and raises those that would go back") {
   const Easing even = ease::linear_through({{0}, {0.25}, {1}});
   CHECK(even(0.5) == 0.25);

@@ -30,6 +30,13 @@ void require_in(double low, double high, const char* what, double value, const c
   if (!(value >= low && value <= high)) refuse(what, value, rule);
 }
 
+// Which part of the way from the one to the other: two that are so far apart that their difference overflows are halved
+// first.
+double part_between(double from, double to, double t) {
+  if (std::isfinite(to - from)) return (t - from) / (to - from);
+  return (t / 2 - from / 2) / (to / 2 - from / 2);
+}
+
 void fill_inputs(std::vector<Stop>& stops) {
   if (!stops.front().input) stops.front().input = 0;
   if (!stops.back().input) stops.back().input = 1;
@@ -40,8 +47,9 @@ void fill_inputs(std::vector<Stop>& stops) {
     if (stops[i].input) continue;
     std::size_t next = i;
     while (!stops[next].input) ++next;
-    const double from = *stops[i - 1].input, to = *stops[next].input;
-    stops[i].input = from + (to - from) / static_cast<double>(next - i + 1);
+    const double from = *stops[i - 1].input, to = *stops[next].input,
+                 pieces = static_cast<double>(next - i + 1);
+    stops[i].input = std::isfinite(to - from) ? from + (to - from) / pieces : lerp(from, to, 1 / pieces);
   }
 }
 
@@ -50,7 +58,7 @@ double along(const std::vector<Stop>& stops, double t) {
                                       [](double input, const Stop& stop) { return input < *stop.input; });
   const Stop &from = after[-1], &to = *after;
   if (!(*from.input < *to.input)) return to.output;
-  const double part = (t - *from.input) / (*to.input - *from.input);
+  const double part = part_between(*from.input, *to.input, t);
   return (1 - part) * from.output + part * to.output;
 }
 
@@ -67,8 +75,8 @@ Easing cubic_bezier(double x1, double y1, double x2, double y2) {
 Easing steps(int n, Jump jump) {
   if (n < 1) refuse("steps", n, "must be one or more");
   if (n == 1 && jump == Jump::none) refuse("steps 1", "must be two or more where it jumps at neither end");
-  const int first = jump == Jump::start || jump == Jump::both ? 1 : 0;
-  const int jumps = n + (jump == Jump::both ? 1 : jump == Jump::none ? -1 : 0);
+  const double first = jump == Jump::start || jump == Jump::both ? 1 : 0;
+  const double jumps = n + (jump == Jump::both ? 1.0 : jump == Jump::none ? -1.0 : 0.0);
   return {[=](double t) { return std::min(1.0, (std::floor(t * n) + first) / jumps); }, {}};
 }
 
