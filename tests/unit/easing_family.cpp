@@ -64,6 +64,11 @@ TEST_CASE("Back goes 4 s^3 / (27 (s + 1)^2) in the wrong direction, where it tur
   CHECK(ease::back(0).turns().empty());
 }
 
+TEST_CASE("Back turns at 2 s / (3 (s + 1)), at two thirds for the largest overshoot") {
+  CHECK(ease::back(1).turns() == std::vector{1.0 / 3});
+  CHECK(ease::back(std::numeric_limits<double>::max()).turns() == std::vector{2.0 / 3});
+}
+
 TEST_CASE("Back without overshoot never turns") {
   CHECK(ease::back(0).turns().empty());
   CHECK(ease::back(1e-6).turns().size() == 1);

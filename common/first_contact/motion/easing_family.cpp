@@ -44,7 +44,7 @@ Easing exponential(double b) {
 Easing back(double overshoot) {
   require(overshoot >= 0, "easing's overshoot", overshoot, "must be finite and not negative");
   std::vector<double> turns;
-  if (overshoot > 0) turns.push_back(2 * overshoot / (3 * (overshoot + 1)));
+  if (overshoot > 0) turns.push_back(2.0 / 3 * (overshoot / (overshoot + 1)));
   return {[overshoot](double t) { return formula::back(t, overshoot); }, std::move(turns)};
 }
 
