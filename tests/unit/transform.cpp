@@ -120,6 +120,20 @@ TEST_CASE("A perspective with impossible values is refused by name") {
   CHECK_THROWS_WITH(Transform::perspective(1, 1, 2, 2), ContainsSubstring("far distance 2"));
   CHECK_THROWS_WITH(Transform::perspective(1, 1, 2, infinity), ContainsSubstring("far distance"));
 }
+TEST_CASE("A quaternion turns by the ratios of its numbers, however small or large they are") {
+  constexpr double least = std::numeric_limits<double>::denorm_min(),
+                   most = std::numeric_limits<double>::max();
+  for (const double size : {least, 3 * least, 1e-310, 1e-200, 1.0, 1e200, 1e308, most}) {
+    CAPTURE(size);
+    const Rigid quarter(Quaternion(size, size, 0, 0), {0, 0, 0}),
+        third(Quaternion(size, size, size, size), {0, 0, 0});
+    CHECK((quarter.point({1, 2, 3}) - Point(1, -3, 2)).norm() < 4e-15);
+    CHECK((third.point({1, 2, 3}) - Point(3, 1, 2)).norm() < 4e-15);
+    CHECK(norm(normalized(Quaternion(0, 0, size, size))) == Approx(1).epsilon(4e-16));
+  }
+  CHECK_THROWS_WITH(Rigid(Quaternion(0, 0, 0, 0), {0, 0, 0}), ContainsSubstring("quaternion of length 0"));
+  CHECK_THROWS_WITH(Rigid(Quaternion(1, infinity, 0, 0), {0, 0, 0}), ContainsSubstring("of length inf"));
+}
 TEST_CASE("A singular matrix is refused, also one that is singular but for rounding") {
   CHECK_THROWS_WITH(Transform(Matrix::Zero()), ContainsSubstring("singular"));
   CHECK_THROWS_AS(Transform::affine(Eigen::DiagonalMatrix<double, 3>(1, 0, 1)), std::invalid_argument);

@@ -77,6 +77,11 @@ bool is_singular(const Matrix& m) {
   return !(std::abs(sum_of_minors(b, -1)) > singular_tolerance * sum_of_minors(b.cwiseAbs(), +1));
 }
 
+Quaternion normalized(const Quaternion& q) {
+  const Homogeneous moderate = unit_scale(q.coeffs().cwiseAbs().maxCoeff()) * q.coeffs();
+  return Quaternion(Homogeneous(moderate / std::sqrt(squared_norm(moderate))));
+}
+
 Transform::Transform(const Matrix& m) : matrix_(m) {
   if (!m.allFinite()) refuse("transform's matrix", "every entry must be finite");
   if (is_singular(m)) refuse("transform's matrix", "must not be singular");
@@ -146,10 +151,9 @@ Rigid::Rigid() : Rigid(Eigen::Matrix3d::Identity(), Vector::Zero()) {}
 
 Rigid::Rigid(const Quaternion& turn, const Vector& shift) : translation_(shift) {
   require_finite(translation_, "rigid motion's translation");
-  const double length = norm(turn);
-  require(length > 0 && std::isfinite(length), "rotation's quaternion of length", length,
-          "finite and not zero");
-  rotation_ = Quaternion(turn.coeffs() / length).toRotationMatrix();
+  if (!turn.coeffs().allFinite() || turn.coeffs().isZero(0))
+    refuse("rotation's quaternion of length", norm(turn), "must be finite and not zero");
+  rotation_ = normalized(turn).toRotationMatrix();
 }
 
 Rigid Rigid::moved_by(const Vector& shift) { return {Quaternion::Identity(), shift}; }

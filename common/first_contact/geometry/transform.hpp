@@ -12,6 +12,8 @@ using Matrix = Eigen::Matrix<double, 4, 4, unaligned>;
 using Quaternion = Eigen::Quaternion<double, unaligned>;
 /// Its length, however long or short.
 double norm(const Quaternion& q);
+/// The same rotation by four numbers of length 1, to within 4 eps, however long or short they were: any but four zeros.
+Quaternion normalized(const Quaternion& q);
 
 /// An invertible map of space by a 4x4 matrix on homogeneous coordinates (paper, 1.2 and 2.4.2): affine if
 /// its last row is [0, 0, 0, 1], otherwise projective. Planes go by the inverse transpose: that keeps E.Q =
@@ -87,7 +89,7 @@ class Rigid {
   /// No motion.
   Rigid();
   /// \param turn any quaternion but zero; it is divided by its length.
-  /// \throws std::invalid_argument if the quaternion is zero, or a coordinate is not finite.
+  /// \throws std::invalid_argument if the quaternion is zero, or one of its numbers or a coordinate is not finite.
   Rigid(const Quaternion& turn, const Vector& shift);
 
   /// A shift alone.

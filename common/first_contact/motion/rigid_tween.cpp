@@ -43,9 +43,10 @@ Pose pose(double time, const Matrix& matrix, const Easing& easing, const Path& p
 RigidTween::RigidTween(std::vector<Pose> poses) : poses_(std::move(poses)) {
   keys::require_in_order(poses_);
   for (Pose& pose : poses_) {
-    const double length = norm(pose.orientation);
-    if (!(length > 0) || !std::isfinite(length)) refuse("tween's orientation", "must be finite and not zero");
-    pose.orientation.coeffs() /= length;
+    const auto& numbers = pose.orientation.coeffs();
+    if (!numbers.allFinite() || numbers.isZero(0))
+      refuse("tween's orientation of length", norm(pose.orientation), "must be finite and not zero");
+    pose.orientation = normalized(pose.orientation);
   }
   for (std::size_t i = 0; i + 1 < poses_.size(); ++i)
     legs_.emplace_back(poses_[i].path, poses_[i].position, poses_[i + 1].position);
