@@ -167,6 +167,9 @@ TEST_CASE("A stretch is eased by its ratio: half way from 1/4 to 4 is 1, and it 
   CHECK(eased_stretch(0.25, 4, ease::linear, 0) == 0.25);
   CHECK(eased_stretch(0.25, 4, ease::linear, 1) == 4);
   for (int i = 0; i <= 100; ++i) CHECK(eased_stretch(0.5, 1, ease::out_elastic, i / 100.0) > 0);
+  const Easing far = [](double t) { return t < 0.5 ? -5.0 : 6.0; };
+  CHECK(eased_stretch(0x1p-100, 0x1p100, far, 0.25) == 0x1p-100);
+  CHECK(eased_stretch(0x1p-100, 0x1p100, far, 0.75) == 0x1p100);
   CHECK_THROWS_AS(eased_stretch(0, 1, ease::linear, 0.5), std::invalid_argument);
   CHECK_THROWS_WITH(squash({0, 0, 0}, 1), "axis 0, 0, 0: must not be zero");
   CHECK_THROWS_AS(squash({0, 0, 1}, -1), std::invalid_argument);

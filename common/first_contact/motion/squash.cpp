@@ -1,5 +1,6 @@
 #include "first_contact/motion/squash.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "first_contact/geometry/refuse.hpp"
@@ -8,8 +9,11 @@ namespace first_contact {
 
 namespace {
 
+constexpr double least_stretch = 0x1p-100, most_stretch = 0x1p100;
+
 void require_stretch(double stretch) {
-  if (!(stretch >= 0x1p-100 && stretch <= 0x1p100)) refuse("stretch", stretch, "must be in 2^-100 .. 2^100");
+  if (!(stretch >= least_stretch && stretch <= most_stretch))
+    refuse("stretch", stretch, "must be in 2^-100 .. 2^100");
 }
 
 }  // namespace
@@ -28,7 +32,7 @@ Eigen::Matrix3d squash(const Vector& axis, double stretch) {
 double eased_stretch(double a, double b, const Easing& easing, double part) {
   require_stretch(a);
   require_stretch(b);
-  return a * std::pow(b / a, easing(part));
+  return std::clamp(a * std::pow(b / a, easing(part)), least_stretch, most_stretch);
 }
 //! [squash]
 

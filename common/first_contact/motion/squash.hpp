@@ -15,7 +15,7 @@ namespace first_contact {
 Eigen::Matrix3d squash(const Vector& axis, double stretch);
 
 /// A stretch that is eased: from a^(1 - f) b^f with f the easing at that part of the time, so that it halves as it
-/// doubles, and stays positive however far an easing overshoots.
+/// doubles. However far an easing overshoots, it stays in 2^-100 .. 2^100, where `squash` takes it.
 /// \throws std::invalid_argument if a or b is not in 2^-100 .. 2^100.
 double eased_stretch(double a, double b, const Easing& easing, double part);
 
