@@ -86,6 +86,13 @@ TEST_CASE("Elastic and exponential are Penner's but for the 2^-10 that they take
   CHECK(ease::in_elastic(1e-9) == Approx(0).margin(1e-9));
 }
 
+TEST_CASE("As its exponent gets small an exponential easing is linear, down to the smallest number") {
+  for (const double b : {5e-324, -5e-324, 1e-310, 1e-30, 0x1p-60, 0x1p-59, -1e-17}) {
+    CAPTURE(b);
+    at_64_times([b](double t) { CHECK(ease::exponential(b)(t) == Approx(t).epsilon(1e-15)); });
+  }
+}
+
 TEST_CASE("An elastic easing turns twice in a period, its last swing reaching nearly its amplitude") {
   for (const double p : {0.3, 0.15, 1.0 / 64}) {
     const auto turns = ease::elastic(1, p).turns();

@@ -12,7 +12,9 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
+// A smaller b than 2^-60 bends it by less than a rounding, and may itself have no digits left.
 double exponential(double t, double b) {
+  if (std::abs(b) < 0x1p-60) return t;
   return std::expm1(b * std::numbers::ln2 * t) / (b == 10 ? 1023 : std::expm1(b * std::numbers::ln2));
 }
 
