@@ -49,7 +49,7 @@ ArcLength::ArcLength(Curve curve) : curve_(std::move(curve)), hodograph_(curve_)
   allowed_ = relative_error / 16 * rough;
   for (std::size_t i = 1; i < joints.size(); ++i)
     measure({joints[i - 1], joints[i], parts[i - 1].control_points()});
-  if (!std::isfinite(total())) refuse("curve's length", "must be finite");
+  if (!std::isfinite(total())) refuse("curve's length", total(), "must be finite");
 }
 
 double ArcLength::Piece::length() const {

@@ -20,9 +20,11 @@ void require_control_points(const std::vector<Point>& points, const std::string&
 // With this form, unlike a + s (b - a), the ends are exact: a at s = 0 and b at s = 1.
 Point between(const Point& a, const Point& b, double s) { return (1 - s) * a + s * b; }
 
+// None where the degree is too high: it is refused by its number, not by the memory that it would need.
 std::vector<double> clamped_knots(std::size_t points, std::size_t degree) {
+  if (points <= degree) return {};
   std::vector<double> knots(degree, 0.0);
-  const std::size_t pieces = points > degree ? points - degree : 1;
+  const std::size_t pieces = points - degree;
   for (std::size_t i = 0; i <= pieces; ++i)
     knots.push_back(static_cast<double>(i) / static_cast<double>(pieces));
   knots.insert(knots.end(), degree, 1.0);
@@ -95,8 +97,9 @@ void BSpline::require_sound() const {
     refuse("B-spline's " + std::to_string(knots_.size()) + " knots", "must be control points + degree + 1");
   for (std::size_t i = 0; i < knots_.size(); ++i) {
     const std::string knot = "B-spline's knot " + std::to_string(i);
-    if (!std::isfinite(knots_[i])) refuse(knot, "must be finite");
-    if (i > 0 && knots_[i] < knots_[i - 1]) refuse(knot, "must not be less than the one before");
+    if (!std::isfinite(knots_[i])) refuse(knot + ",", knots_[i], "must be finite");
+    if (i > 0 && knots_[i] < knots_[i - 1])
+      refuse(knot + ",", knots_[i], "must not be less than the one before");
   }
   for (std::size_t i = 1; i < control_.size(); ++i)
     if (degree_ > 0 && !(knots_[i] < knots_[i + degree_]))
