@@ -191,6 +191,11 @@ TEST_CASE("Values that are not finite are refused") {
   CHECK_THROWS_AS(Rigid(Eigen::Quaterniond(0, 0, 0, 0), {0, 0, 0}), std::invalid_argument);
 }
 TEST_CASE("A plane so far away that its distance is not finite is refused") {
+  const Plane floor({0, 0, 1}, 0);
+  CHECK(floor.moved_out(-0x1p1002).offset() == 0x1p1002);
+  CHECK_THROWS_WITH(floor.moved_out(std::nan("")),
+                    "plane moved out by nan: must be no farther from the origin than 4.29e301 (2^1002)");
+  CHECK_THROWS_AS(floor.moved_out(0x1p1003), std::invalid_argument);
   CHECK_THROWS_AS(Plane({0, 0, 1e-300}, 1e10), std::invalid_argument);
   CHECK_NOTHROW(Plane({0, 0, 1e-300}, 1e-295));
 }

@@ -34,6 +34,8 @@ double Plane::signed_distance(const Point& q) const { return dot(coefficients_, 
 Plane Plane::moved_out(double distance) const {
   Plane moved = *this;
   moved.coefficients_.w() -= distance;
+  if (!(std::abs(moved.offset()) <= 4 * largest_length))
+    refuse("plane moved out by", distance, "must be no farther from the origin than 4.29e301 (2^1002)");
   return moved;
 }
 //! [plane_moved_out]

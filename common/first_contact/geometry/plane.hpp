@@ -23,6 +23,7 @@ class Plane {
   /// E.Q = N.Q + D, the signed distance of a point (paper, 1.2).
   double signed_distance(const Point& q) const;
   /// E' = [N, D - r], this plane moved by `distance` along its normal (paper, 1.2).
+  /// \throws std::invalid_argument if that is no number, or farther from the origin than 2^1002.
   Plane moved_out(double distance) const;
 
  private:
