@@ -16,6 +16,11 @@ void require(bool rule, const std::string& what, double value, const std::string
   if (!rule) refuse(what, value, "must be " + text);
 }
 
+void require_invertible(const std::string& what, double value, double entry) {
+  if (!std::isfinite(entry) || !std::isfinite(1 / entry))
+    refuse(what, value, "must not lead beyond the range of numbers");
+}
+
 // The determinant (sign -1) or the permanent (sign +1), by the 2x2 minors of the upper rows and those of the
 // lower.
 double sum_of_minors(const Matrix& m, double sign) {
@@ -72,18 +77,20 @@ double norm(const Quaternion& q) {
   return std::sqrt(squared_norm(unit * q.coeffs())) / unit;
 }
 
-bool is_singular(const Matrix& m) {
-  const Matrix b = balanced(m);
-  return !(std::abs(sum_of_minors(b, -1)) > singular_tolerance * sum_of_minors(b.cwiseAbs(), +1));
-}
-
 Quaternion normalized(const Quaternion& q) {
   const Homogeneous moderate = unit_scale(q.coeffs().cwiseAbs().maxCoeff()) * q.coeffs();
   return Quaternion(Homogeneous(moderate / std::sqrt(squared_norm(moderate))));
 }
 
+bool is_singular(const Matrix& m) {
+  const Matrix b = balanced(m);
+  return !(std::abs(sum_of_minors(b, -1)) > singular_tolerance * sum_of_minors(b.cwiseAbs(), +1));
+}
+
 Transform::Transform(const Matrix& m) : matrix_(m) {
-  if (!m.allFinite()) refuse("transform's matrix", "every entry must be finite");
+  for (const double entry : m.reshaped())
+    if (!std::isfinite(entry))
+      refuse("transform's matrix with an entry", entry, "every entry must be finite");
   if (is_singular(m)) refuse("transform's matrix", "must not be singular");
   inverse_ = inverse_of(m);
   if (is_affine()) inverse_.row(3) = m.row(3);  // [0, 0, 0, 1] exactly
@@ -103,11 +110,14 @@ Transform Transform::perspective(double view_angle, double aspect, double near_z
   require(aspect > 0 && std::isfinite(aspect), "aspect", aspect, "positive and finite");
   require(near_z > 0 && std::isfinite(near_z), "near distance", near_z, "positive and finite");
   require(far_z > near_z && std::isfinite(far_z), "far distance", far_z, "finite, and beyond the near one");
-  const double scale = 1 / std::tan(view_angle / 2);
+  const double scale = 1 / std::tan(view_angle / 2), across = scale / aspect;
+  require_invertible("view angle", view_angle, scale);
+  require_invertible("aspect", aspect, across);
   const double unit = unit_scale(far_z), n = unit * near_z, f = unit * far_z, depth = f - n;
   const double shift = depth == f ? near_z : f * n / depth / unit;  // 1 / (1 / n - 1 / f)
+  require_invertible("near distance", near_z, 2 * shift);
   Matrix m;
-  m << scale / aspect, 0, 0, 0,            //
+  m << across, 0, 0, 0,                    //
       0, scale, 0, 0,                      //
       0, 0, -(f + n) / depth, -2 * shift,  //
       0, 0, -1, 0;

@@ -33,7 +33,8 @@ class Transform {
   /// \param view_angle from the lower to the upper plane, in radians, between 0 and pi
   /// \param aspect width of the picture divided by its height
   /// \param near_z,far_z distances from the eye to the two planes, 0 < near_z < far_z
-  /// \throws std::invalid_argument that names the value and the rule
+  /// \throws std::invalid_argument that names the value and the rule; also where an entry of the matrix or of its
+  ///     inverse would leave the range of double, as the cotangent of a view angle of 10^-309 does
   static Transform perspective(double view_angle, double aspect, double near_z, double far_z);
 
   /// The 4x4 matrix M.
