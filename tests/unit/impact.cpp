@@ -44,6 +44,14 @@ TEST_CASE("Two walls of infinite mass may slide along each other, but not meet",
                     ContainsSubstring("at most one may be infinite"));
 }
 
+TEST_CASE("What is not finite in an impact is refused with its numbers", "[impact]") {
+  CHECK_THROWS_WITH(Body<2>(1, {INFINITY, 2}), "velocity inf, 2: must be finite");
+  CHECK_THROWS_WITH(impact<3>({1, {1, 0, 0}}, {1, {2, 0, 0}}, {0, 0, 0}, 1),
+                    "normal 0, 0, 0: must be finite and not zero");
+  CHECK_THROWS_WITH(impact<2>({1e300, {-1e300, 0}}, {1e300, {0, 0}}, {1, 0}, 1),
+                    "impulse, mass times velocity, inf, 0: must be finite");
+}
+
 TEST_CASE("A wall of infinite mass throws a ball back and stays", "[impact]") {
   const auto after = impact<3>({2, {1, 0, -4}}, {INFINITY, {0, 0, 0}}, {0, 0, 1}, 0.75);
   CHECK(after.velocity_p == Vector(1, 0, 3));

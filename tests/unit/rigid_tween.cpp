@@ -90,7 +90,7 @@ TEST_CASE("A matrix that stretches, shears, mirrors or is projective is no pose"
   CHECK_THROWS_WITH(pose(0, stretched), "pose's matrix: must not stretch or shear");
   CHECK_THROWS_AS(pose(0, sheared), std::invalid_argument);
   CHECK_THROWS_WITH(pose(0, mirrored), "pose's matrix: must not mirror");
-  CHECK_THROWS_WITH(pose(0, projective), "pose's last row: must be 0, 0, 0, 1");
+  CHECK_THROWS_WITH(pose(0, projective), "pose's last row 1e-09, 0, 0, 1: must be 0, 0, 0, 1");
   stretched(0, 0) = not_a_number;
   CHECK_THROWS_AS(pose(0, stretched), std::invalid_argument);
 }

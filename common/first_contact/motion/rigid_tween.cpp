@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/motion/keys.hpp"
@@ -27,7 +28,9 @@ Quaternion quaternion_of(const Eigen::Matrix3d& m) {
 void require_rigid(const Matrix& matrix) {
   const Eigen::Matrix3d m = matrix.topLeftCorner<3, 3>();
   const Eigen::Matrix3d off = product(m.transpose(), m) - Eigen::Matrix3d::Identity();
-  if (matrix.row(3) != Homogeneous(0, 0, 0, 1).transpose()) refuse("pose's last row", "must be 0, 0, 0, 1");
+  if (const Homogeneous last = matrix.row(3); last != Homogeneous(0, 0, 0, 1))
+    refuse("pose's last row " + to_text(Vector(last.head<3>())) + ", " + to_text(last.w()),
+           "must be 0, 0, 0, 1");
   if (!(off.cwiseAbs().maxCoeff() <= rotation_tolerance))
     refuse("pose's matrix", "must not stretch or shear");
   if (!(dot(Vector(m.col(0).cross(m.col(1))), m.col(2)) > 0)) refuse("pose's matrix", "must not mirror");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/products.hpp"
 #include "first_contact/geometry/refuse.hpp"
 #include "first_contact/geometry/unit_scale.hpp"
@@ -16,11 +18,18 @@ double fastest(const Body<Dimension>& p, const Body<Dimension>& q) {
   return std::max(p.velocity.cwiseAbs().maxCoeff(), q.velocity.cwiseAbs().maxCoeff());
 }
 
+std::string text_of(const auto& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + to_text(number);
+  return text;
+}
+
 template <int Dimension>
 const Impact<Dimension>& finite(const Impact<Dimension>& after) {
-  if (!after.velocity_p.allFinite() || !after.velocity_q.allFinite())
-    refuse("velocities after the impact", "must be finite");
-  if (!after.impulse.allFinite()) refuse("impulse, mass times velocity", "must be finite");
+  for (const auto& velocity : {after.velocity_p, after.velocity_q})
+    if (!velocity.allFinite()) refuse("velocity after the impact, " + text_of(velocity), "must be finite");
+  if (!after.impulse.allFinite())
+    refuse("impulse, mass times velocity, " + text_of(after.impulse), "must be finite");
   return after;
 }
 
@@ -29,7 +38,7 @@ const Impact<Dimension>& finite(const Impact<Dimension>& after) {
 template <int Dimension>
 Body<Dimension>::Body(double m, const Velocity& v) : mass(m), velocity(v) {
   if (!(mass > 0)) refuse("mass", mass, "must be positive");
-  if (!velocity.allFinite()) refuse("velocity", "must be finite");
+  if (!velocity.allFinite()) refuse("velocity " + text_of(velocity), "must be finite");
 }
 
 //! [impact]
@@ -38,7 +47,7 @@ Impact<Dimension> impact(const Body<Dimension>& p, const Body<Dimension>& q,
                          const VectorOf<Dimension>& normal, double restitution) {
   if (!(restitution >= 0 && restitution <= 1)) refuse("restitution", restitution, "must be in 0 .. 1");
   const double size = normal.cwiseAbs().maxCoeff();
-  if (!normal.allFinite() || size == 0) refuse("normal", "must be finite and not zero");
+  if (!normal.allFinite() || size == 0) refuse("normal " + text_of(normal), "must be finite and not zero");
   const VectorOf<Dimension> n = unit_scale(size) * normal;  // its length does not matter
 
   const double slower = unit_scale(fastest(p, q));
