@@ -113,6 +113,8 @@ TEST_CASE("Curves without control points, with too few, or with one that is not 
     CHECK_THROWS_WITH(BSpline(five, degree),
                       "B-spline's 5 control points: must be more than the degree, " + std::to_string(degree));
   CHECK_THROWS_AS(BSpline({{0, 0, 0}, {nan, 0, 0}}, 1), std::invalid_argument);
+  for (const Curve& curve : {Curve(Bezier(five)), Curve(BSpline(five, 2))})
+    CHECK_THROWS_AS(scaled(curve, nan), std::invalid_argument);
 }
 
 TEST_CASE("Knots that are too few, descending, not finite, all equal or too often the same are refused") {
@@ -124,5 +126,7 @@ TEST_CASE("Knots that are too few, descending, not finite, all equal or too ofte
   CHECK_THROWS_WITH(knots({0, 0, 0, 1, 2, 3, 3, std::numeric_limits<double>::infinity()}),
                     "B-spline's knot 7, inf: must be finite");
   CHECK_THROWS_AS(knots({1, 1, 1, 1, 1, 1, 1, 1}), std::invalid_argument);
+  CHECK_THROWS_WITH(BSpline({{1, 2, 3}}, 0, {1, 1}),
+                    "B-spline's knots from 1 to 1: must span a finite interval");
   CHECK_THROWS_AS(knots({0, 0, 1, 1, 1, 3, 3, 3}), std::invalid_argument);
 }

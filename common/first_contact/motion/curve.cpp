@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "first_contact/geometry/number_text.hpp"
 #include "first_contact/geometry/refuse.hpp"
 
 namespace first_contact {
@@ -106,7 +107,8 @@ void BSpline::require_sound() const {
       refuse("B-spline's knots from number " + std::to_string(i),
              "must not coincide more often than the degree, " + degree);
   if (!(first() < last()) || !std::isfinite(knots_.back() - knots_.front()))
-    refuse("B-spline's knots", "must span a finite interval");
+    refuse("B-spline's knots from " + to_text(knots_.front()) + " to " + to_text(knots_.back()),
+           "must span a finite interval");
 }
 
 // The piece [knot, next) that holds x; the very end, and what is beyond, belongs to the last of all.
@@ -188,6 +190,7 @@ std::vector<Bezier> BSpline::pieces() const {
 BSpline BSpline::scaled(double factor) const {
   BSpline result = *this;
   for (Point& p : result.control_) p *= factor;
+  require_control_points(result.control_, "B-spline");
   return result;
 }
 

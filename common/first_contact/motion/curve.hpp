@@ -70,6 +70,7 @@ class BSpline {
   /// The pieces between them.
   std::vector<Bezier> pieces() const;
   /// Each control point multiplied by a factor.
+  /// \throws std::invalid_argument if one of them is then not finite.
   BSpline scaled(double factor) const;
 
  private:
@@ -102,6 +103,7 @@ const std::vector<Point>& control_points(const Curve& curve);
 std::vector<double> breaks(const Curve& curve);
 
 /// The same curve, each control point multiplied by a factor.
+/// \throws std::invalid_argument if one of them is then not finite.
 Curve scaled(const Curve& curve, double factor);
 /// The curve, from each of its `breaks` to the next, as Bezier curves.
 std::vector<Bezier> bezier_pieces(const Curve& curve);

@@ -48,7 +48,8 @@ void require_points_of_curve(std::span<const Point> points) {
 
 std::vector<double> checked_spans(std::span<const double> spans, std::size_t curves) {
   if (spans.empty()) return std::vector<double>(curves, 1.0);
-  if (spans.size() != curves) refuse("joined curves' spans", "must be as many as the curves");
+  if (spans.size() != curves)
+    refuse("joined curves' " + std::to_string(spans.size()) + " spans", "must be as many as the curves");
   for (const double span : spans)
     if (!(span > 0) || !std::isfinite(span))
       refuse("joined curves' span", span, "must be positive and finite");
