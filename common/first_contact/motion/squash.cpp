@@ -15,6 +15,7 @@ void require_stretch(double stretch) {
   if (!(stretch >= least_stretch && stretch <= most_stretch))
     refuse("stretch", stretch, "must be in 2^-100 .. 2^100");
 }
+double nearest_stretch(double any) { return std::clamp(any, least_stretch, most_stretch); }
 
 }  // namespace
 
@@ -32,7 +33,7 @@ Eigen::Matrix3d squash(const Vector& axis, double stretch) {
 double eased_stretch(double a, double b, const Easing& easing, double part) {
   require_stretch(a);
   require_stretch(b);
-  return std::clamp(a * std::pow(b / a, easing(part)), least_stretch, most_stretch);
+  return nearest_stretch(a * std::pow(b / a, easing(part)));
 }
 //! [squash]
 
