@@ -41,7 +41,7 @@ void require_different_files(const CLI::App& line) {
   for (const CLI::Option* out : files)
     for (const CLI::Option* other : files) {
       if (out == other || !is_written(*out)) continue;
-      const std::string name = out->as<std::string>();
+      const auto name = out->as<std::string>();
       if (are_one_file(other->as<std::string>(), name))
         throw Refused(out->get_name() + " " + printable(name) + ": must be another file than " +
                       other->get_name());
@@ -51,7 +51,7 @@ void require_different_files(const CLI::App& line) {
 void require_writable_files(const CLI::App& line) {
   for (const CLI::Option* out : line.get_options()) {
     if (out->count() == 0 || !is_written(*out)) continue;
-    const std::string name = out->as<std::string>();
+    const auto name = out->as<std::string>();
     try {
       require_writable(name);
     } catch (const FileError& error) {

@@ -198,7 +198,7 @@ Mesh turned(const Turning<Mesh>& turning, double t) {
   const Point hinge = turning.center + t * turning.displacement;
   std::vector<Point> vertices;
   for (const Point& p : turning.shape.vertices())
-    vertices.push_back(hinge + turn.direction(p - turning.center));
+    vertices.emplace_back(hinge + turn.direction(p - turning.center));
   return {std::move(vertices), turning.shape.faces()};
 }
 
