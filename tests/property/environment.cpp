@@ -43,7 +43,7 @@ class Random : public Chance {
   }
   Mesh shuffled(const Mesh& mesh) {
     std::vector<Mesh::Face> faces = mesh.faces();
-    std::shuffle(faces.begin(), faces.end(), source());
+    shuffle(faces);
     return {mesh.vertices(), faces};
   }
 };

@@ -125,7 +125,7 @@ TEST_CASE("The contacts do not depend on the order of the spheres, but for who i
   const Balls balls = gas(chance, 500, 0.4, 2);
   std::vector<std::size_t> order(balls.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::shuffle(order.begin(), order.end(), chance.source());
+  chance.shuffle(order);
   Balls shuffled;
   for (const std::size_t i : order) shuffled.push_back(balls[i]);
   const auto found = first_contacts(balls), again = first_contacts(shuffled);
