@@ -1,6 +1,5 @@
 // Laws that hold for every sphere and every mesh, on random ones; a failure prints the seed that reproduces
 // it.
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
